@@ -1,0 +1,52 @@
+#include <patchgrip/contact/hertz_circle.h>
+#include <patchgrip/contact/require.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+namespace patchgrip::contact {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double require_radius(std::string_view name, double radius) {
+  if (!(std::isfinite(radius) || radius == infinity) || radius == 0) {
+    refuse(name, radius, "must be positive (infinite for a plane), or negative and finite for a hollow");
+  }
+  return radius;
+}
+
+}  // namespace
+
+double relative_radius(double first, double second) {
+  const long double one = require_radius("first_radius", first);
+  const long double other = require_radius("second_radius", second);
+  // R_1 R_2 / (R_1 + R_2) would be infinity / infinity for a plane; 1/R_1 + 1/R_2 would cancel for a ball in a socket.
+  const auto radius = [&] {
+    if (one == infinity) return static_cast<double>(other);
+    if (other == infinity) return static_cast<double>(one);
+    return static_cast<double>(one * other / (one + other));
+  }();
+  if (!(radius > 0 && radius < infinity)) {
+    refuse("relative_radius", radius,
+           "must be positive and finite: a hollow must be wider than the ball in it, and one body must be curved");
+  }
+  return require_representable("relative_radius", radius);
+}
+
+HertzCircle HertzCircle::under_force(double normal_force, double relative_radius, double contact_modulus) {
+  const long double force = require_positive("normal_force", normal_force);
+  const long double curved = require_positive("relative_radius", relative_radius);
+  const long double modulus = require_positive("contact_modulus", contact_modulus);
+
+  const long double radius = std::cbrt(3 * force * curved / (4 * modulus));
+  const long double approach = radius * radius / curved;
+  const long double pressure = 3 * force / (2 * std::numbers::pi_v<long double> * radius * radius);
+  return {require_representable("contact_radius", static_cast<double>(radius)),
+          require_representable("approach", static_cast<double>(approach)),
+          require_representable("peak_pressure", static_cast<double>(pressure))};
+}
+
+}  // namespace patchgrip::contact

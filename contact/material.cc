@@ -1,0 +1,28 @@
+#include <patchgrip/contact/material.h>
+#include <patchgrip/contact/require.h>
+
+#include <limits>
+
+namespace patchgrip::contact {
+namespace {
+
+long double compliance(const Material& body) {
+  const long double nu = body.poisson_ratio;
+  return (1 - nu) * (1 + nu) / body.youngs_modulus;
+}
+
+}  // namespace
+
+Material Material::elastic(double youngs_modulus, double poisson_ratio) {
+  return {require_positive("youngs_modulus", youngs_modulus),
+          require_in("poisson_ratio", poisson_ratio, -1, 0.5, Ends::left_open)};
+}
+
+Material Material::rigid() { return {std::numeric_limits<double>::infinity(), 0}; }
+
+double contact_modulus(const Material& first, const Material& second) {
+  const auto modulus = static_cast<double>(1 / (compliance(first) + compliance(second)));
+  return require_representable("contact_modulus", modulus);
+}
+
+}  // namespace patchgrip::contact
