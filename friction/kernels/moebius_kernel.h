@@ -1,0 +1,68 @@
+// Kernel of a Hertz or flat-punch disc: polynomials on both sides of the rim, no libm.
+//
+// Inside, with z = x^2:  Hertz       f/x = (3 pi/8)(1 - z/4),   m = (3 pi/16)(1 - z + 3 z^2/8),   f' = (3 pi/8)(1 - 3
+// z/4)
+//                        flat punch  f/x = pi/4,                m = (pi/4)(1 - z/2),              f' = pi/4
+// Outside: powers of p = ((sqrt 2 + 1) R - V) / ((sqrt 2 - 1) R + V), R = sqrt(V^2 - W^2); see fit/moebius_fit.cc.
+// V^2 - W^2 may lose its digits at the rim: f and m are smooth in R^2 there, their first odd power is R^5 (R^3).
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include <patchgrip/friction/kernels/moebius_coefficients.h>
+#include <patchgrip/friction/kernels/pair_polynomial.h>
+#include <patchgrip/friction/round_patch.h>
+
+namespace patchgrip::friction::kernels {
+
+struct HertzCoefficients {
+  static constexpr Pair inside(double z) noexcept {
+    return Pair{3 * std::numbers::pi / 8 * (1 - z / 4), 3 * std::numbers::pi / 16 * (1 - z * (1 - 0.375 * z))};
+  }
+  static constexpr double slope_inside(double z) noexcept { return 3 * std::numbers::pi / 8 * (1 - 0.75 * z); }
+  static constexpr const auto& gradient = hertz_gradient;
+  static constexpr const auto& slope = hertz_slope;
+};
+
+struct FlatPunchCoefficients {
+  static constexpr Pair inside(double z) noexcept {
+    return Pair{std::numbers::pi / 4, std::numbers::pi / 4 * (1 - z / 2)};
+  }
+  static constexpr double slope_inside(double) noexcept { return std::numbers::pi / 4; }
+  static constexpr const auto& gradient = flat_punch_gradient;
+  static constexpr const auto& slope = flat_punch_slope;
+};
+
+constexpr double moebius_plus = 2.41421356237309504880;   // sqrt 2 + 1
+constexpr double moebius_minus = 0.41421356237309504880;  // sqrt 2 - 1
+
+template <class Coefficients>
+struct MoebiusKernel {
+  static bool pole_inside(const RoundTwist& t) noexcept { return t.V2 <= t.W2; }
+
+  static RoundGradient gradient(const RoundTwist& t) noexcept {
+    if (pole_inside(t)) {
+      const double k = 1 / t.W;
+      const Pair g = Coefficients::inside(t.V2 * k * k);
+      return {k * g[0], g[1]};
+    }
+    const double V = std::sqrt(t.V2);
+    const double k = 1 / V;
+    const Pair g = polynomial(Coefficients::gradient, variable(t, V));
+    return {k * g[0], t.W * k * g[1]};
+  }
+
+  static double slope(const RoundTwist& t) noexcept {
+    if (pole_inside(t)) return Coefficients::slope_inside(t.V2 / t.W2);
+    return polynomial(Coefficients::slope, variable(t, std::sqrt(t.V2)));
+  }
+
+ private:
+  static double variable(const RoundTwist& t, double V) noexcept {
+    const double R = std::sqrt(t.V2 - t.W2);
+    return (moebius_plus * R - V) / (moebius_minus * R + V);
+  }
+};
+
+}  // namespace patchgrip::friction::kernels
