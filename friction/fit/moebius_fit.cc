@@ -8,8 +8,10 @@
 //
 // maps rim to infinity, s in [0, 1], onto [-1, 1] and the cut onto |p| >= 3 + 2 sqrt 2, so the Chebyshev coefficients
 // fall like 11.6^-k. They are interpolated in 50 digits and cut where the rest is below 3e-17.
+#include <algorithm>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -44,22 +46,24 @@ std::vector<Real> fit(const PowerFamily<Real>& family, Real RoundValues<Real>::*
   return monomials(series);
 }
 
-std::string digits(const Real& x) { return x.str(19, std::ios_base::scientific); }
-
-void print(const char* name, double n) {
-  const PowerFamily<Real> family(n);
-  std::vector<Real> force = fit(family, &RoundValues<Real>::force);
-  std::vector<Real> moment = fit(family, &RoundValues<Real>::moment);
-  const std::vector<Real> slope = fit(family, &RoundValues<Real>::slope);
-  const std::size_t terms = std::max(force.size(), moment.size());
-  force.resize(terms);
-  moment.resize(terms);
-  std::printf("\ninline constexpr std::array<Pair, %zu> %s_gradient = {{\n", terms, name);
-  for (std::size_t k = 0; k < terms; ++k)
-    std::printf("    {%s, %s},\n", digits(force[k]).c_str(), digits(moment[k]).c_str());
-  std::printf("}};\n\ninline constexpr std::array<double, %zu> %s_slope = {\n", slope.size(), name);
-  for (const Real& c : slope) std::printf("    %s,\n", digits(c).c_str());
+void print(const std::string& name, const std::vector<Real>& coefficients, std::size_t terms) {
+  std::printf("\ninline constexpr std::array<double, %zu> %s = {\n", terms, name.c_str());
+  for (std::size_t k = 0; k < terms; ++k) {
+    const Real c = k < coefficients.size() ? coefficients[k] : Real(0);
+    std::printf("    %s,\n", c.str(19, std::ios_base::scientific).c_str());
+  }
   std::printf("};\n");
+}
+
+void print_disc(const std::string& name, double n) {
+  const PowerFamily<Real> family(n);
+  const std::vector<Real> force = fit(family, &RoundValues<Real>::force);
+  const std::vector<Real> moment = fit(family, &RoundValues<Real>::moment);
+  const std::vector<Real> slope = fit(family, &RoundValues<Real>::slope);
+  const std::size_t terms = std::max(force.size(), moment.size());  // evaluated together
+  print(name + "_force", force, terms);
+  print(name + "_moment", moment, terms);
+  print(name + "_slope", slope, slope.size());
 }
 
 }  // namespace
@@ -68,9 +72,9 @@ int main() {
   std::printf(
       "// Written by friction/fit/moebius_fit.cc; a test compares. Powers of p: {f, m / u} and f' / u^3, outside the "
       "rim.\n"
-      "#pragma once\n\n#include <array>\n\n#include <patchgrip/friction/kernels/pair_polynomial.h>\n\n"
+      "#pragma once\n\n#include <array>\n\n"
       "namespace patchgrip::friction::kernels {\n\n// clang-format off\n");
-  print("hertz", 1);
-  print("flat_punch", 0);
+  print_disc("hertz", 1);
+  print_disc("flat_punch", 0);
   std::printf("\n}  // namespace patchgrip::friction::kernels\n");
 }

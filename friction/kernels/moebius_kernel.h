@@ -17,20 +17,22 @@
 namespace patchgrip::friction::kernels {
 
 struct HertzCoefficients {
-  static constexpr Pair inside(double z) noexcept {
-    return Pair{3 * std::numbers::pi / 8 * (1 - z / 4), 3 * std::numbers::pi / 16 * (1 - z * (1 - 0.375 * z))};
+  static constexpr double force_inside(double z) noexcept { return 3 * std::numbers::pi / 8 * (1 - z / 4); }  // f / x
+  static constexpr double moment_inside(double z) noexcept {
+    return 3 * std::numbers::pi / 16 * (1 - z * (1 - 0.375 * z));
   }
   static constexpr double slope_inside(double z) noexcept { return 3 * std::numbers::pi / 8 * (1 - 0.75 * z); }
-  static constexpr const auto& gradient = hertz_gradient;
+  static constexpr const auto& force = hertz_force;
+  static constexpr const auto& moment = hertz_moment;
   static constexpr const auto& slope = hertz_slope;
 };
 
 struct FlatPunchCoefficients {
-  static constexpr Pair inside(double z) noexcept {
-    return Pair{std::numbers::pi / 4, std::numbers::pi / 4 * (1 - z / 2)};
-  }
+  static constexpr double force_inside(double) noexcept { return std::numbers::pi / 4; }
+  static constexpr double moment_inside(double z) noexcept { return std::numbers::pi / 4 * (1 - z / 2); }
   static constexpr double slope_inside(double) noexcept { return std::numbers::pi / 4; }
-  static constexpr const auto& gradient = flat_punch_gradient;
+  static constexpr const auto& force = flat_punch_force;
+  static constexpr const auto& moment = flat_punch_moment;
   static constexpr const auto& slope = flat_punch_slope;
 };
 
@@ -44,12 +46,12 @@ struct MoebiusKernel {
   static RoundGradient gradient(const RoundTwist& t) noexcept {
     if (pole_inside(t)) {
       const double k = 1 / t.W;
-      const Pair g = Coefficients::inside(t.V2 * k * k);
-      return {k * g[0], g[1]};
+      const double z = t.V2 * k * k;
+      return {k * Coefficients::force_inside(z), Coefficients::moment_inside(z)};
     }
     const double V = std::sqrt(t.V2);
     const double k = 1 / V;
-    const Pair g = polynomial(Coefficients::gradient, variable(t, V));
+    const Pair g = polynomial(gradient_pairs, variable(t, V));
     return {k * g[0], t.W * k * g[1]};
   }
 
@@ -59,6 +61,8 @@ struct MoebiusKernel {
   }
 
  private:
+  static constexpr auto gradient_pairs = paired(Coefficients::force, Coefficients::moment);
+
   static double variable(const RoundTwist& t, double V) noexcept {
     const double R = std::sqrt(t.V2 - t.W2);
     return (moebius_plus * R - V) / (moebius_minus * R + V);

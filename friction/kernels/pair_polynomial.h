@@ -40,4 +40,12 @@ template <std::size_t N>
   return polynomial(c, Pair{t, t});
 }
 
+// The two polynomials as one of pairs.
+template <std::size_t N>
+constexpr std::array<Pair, N> paired(const std::array<double, N>& first, const std::array<double, N>& second) noexcept {
+  std::array<Pair, N> result{};
+  for (std::size_t k = 0; k < N; ++k) result[k] = Pair{first[k], second[k]};
+  return result;
+}
+
 }  // namespace patchgrip::friction::kernels
