@@ -1,0 +1,38 @@
+// One row of a friction table: the wrench of a scene's contact in one motion, and the bound of its error.
+//
+// The bound is about the exact result for the numbers of the scene as doubles: rounding of the twist, and of a Hertz
+// radius that follows from bodies, is part of it.
+#pragma once
+
+#include <patchgrip/cli/contact_reader.h>
+#include <patchgrip/cli/input_error.h>
+#include <patchgrip/cli/motions.h>
+#include <patchgrip/friction/law.h>
+#include <patchgrip/friction/patch.h>
+
+namespace patchgrip::cli {
+
+// `patch` is the contact's patch in the contact frame.
+template <friction::Patch P>
+friction::BoundedWrench friction_row(const Contact& contact, const friction::Law& law, const P& patch,
+                                     const Motion& motion) {
+  const bool turns = motion.spin != 0;
+  const friction::Twist exact = turns ? friction::twist_about(motion.pole, motion.spin) : motion.twist;
+  const friction::PressureMoments moments = patch.moments();
+  const friction::BoundedWrench gradient = patch.bounded_gradient(exact);
+  friction::BoundedWrench row = friction::friction_wrench(law, contact.normal_force, moments, gradient, motion.twist);
+  const auto add = [&row](const WrenchError& error) {
+    row.force_error += error.force;
+    row.moment_error += error.moment;
+  };
+  if (turns && motion.angular_speed != 1) {
+    add(error_of_twist(law, contact.normal_force, moments, gradient.value, motion.twist));
+  }
+  if (turns && contact.hertz) {
+    add(error_of_radius(law, contact.normal_force, contact.hertz->radius, contact.centre, motion.twist,
+                        contact.hertz->error));
+  }
+  return row;
+}
+
+}  // namespace patchgrip::cli

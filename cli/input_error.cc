@@ -1,0 +1,59 @@
+#include <patchgrip/cli/input_error.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <patchgrip/friction/hertz_disc.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using friction::Law;
+using friction::PressureMoments;
+using friction::Twist;
+using friction::Wrench;
+
+Twist moved_to(const friction::Pole& centre, const Twist& v) noexcept {
+  return {v.vx - v.w * centre.y, v.vy + v.w * centre.x, v.w};
+}
+
+// |d mu| for an error of v_m^2, by the mean value theorem.
+double error_of_coefficient(const Law& law, double mean_square, double mean_square_error) noexcept {
+  const double scale = 1 / (law.stribeck_velocity * law.stribeck_velocity);
+  const double error = mean_square_error * scale;
+  const double least = std::max(0.0, mean_square * scale - error);
+  return std::fabs(law.mu_static - law.mu_kinetic) * std::exp(-least) * error;
+}
+
+}  // namespace
+
+WrenchError error_of_twist(const Law& law, double normal_force, const PressureMoments& moments, const Wrench& gradient,
+                           const Twist& v) noexcept {
+  const double dv = 0x1p-53 * std::hypot(v.vx, v.vy);
+  const Twist at_centroid = moved_to({moments.x, moments.y}, v);
+  const double speed = std::hypot(at_centroid.vx, at_centroid.vy);
+  const double dmu = error_of_coefficient(law, friction::mean_square_speed(moments, v), (2 * speed + dv) * dv);
+  const double viscous = law.mu_viscous * dv;
+  return {normal_force * (dmu * std::hypot(gradient.fx, gradient.fy) + viscous),
+          normal_force * (dmu * std::fabs(gradient.m) + viscous * std::hypot(moments.x, moments.y))};
+}
+
+WrenchError error_of_radius(const Law& law, double normal_force, double radius, const friction::Pole& centre,
+                            const Twist& v, double delta) {
+  const auto disc = friction::HertzDisc::of_radius(radius);
+  const Twist about_centre = moved_to(centre, v);
+  const Wrench g = disc.gradient(about_centre);
+  const friction::Hessian h = disc.hessian(about_centre);
+  const PressureMoments moments = disc.moments();
+
+  const double spin = std::fabs(v.w);
+  const double mean_square_error = 2 * delta * v.w * v.w * moments.polar;
+  const double mu = friction::coefficient(law, moments, about_centre);
+  const double dmu = error_of_coefficient(law, friction::mean_square_speed(moments, about_centre), mean_square_error);
+  const double force = normal_force * (mu * delta * spin * std::hypot(h.xw, h.yw) + dmu * std::hypot(g.fx, g.fy));
+  const double moment = normal_force * (mu * delta * (std::fabs(g.m) + spin * std::fabs(h.ww)) + dmu * std::fabs(g.m) +
+                                        2 * delta * law.mu_viscous * spin * moments.polar);
+  return {force, moment + std::hypot(centre.x, centre.y) * force};
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,33 @@
+// What a friction wrench owes to inputs that are themselves rounded: a twist made from an exact pole and angular speed,
+// and a Hertz radius computed from bodies.
+//
+//     twist     |d(vx, vy)| <= 2^-53 |(vx, vy)|. grad D sees only the pole and the spin; the error reaches mu(v_m), by
+//               d(v_m^2) <= 2 |v_c| |dv| + |dv|^2, and the viscous part.
+//     radius    da = delta a. D depends on a through a w alone, and is homogeneous of degree 1; so about the centre
+//               |df| = delta |w| |(H_xw, H_yw)|,   |dm| <= delta (|m| + |w| H_ww)
+//               where H is the Hessian of D; d(v_m^2) = 2 delta w^2 s_c, and the viscous moment likewise.
+//
+// Units    bounds [N], [N m], the moment about the contact frame's origin.
+// Error    products of two rounding errors are left out.
+#pragma once
+
+#include <patchgrip/friction/law.h>
+#include <patchgrip/friction/patch.h>
+#include <patchgrip/friction/twist.h>
+
+namespace patchgrip::cli {
+
+struct WrenchError {
+  double force = 0;
+  double moment = 0;
+};
+
+// `gradient` is grad D at v.
+WrenchError error_of_twist(const friction::Law& law, double normal_force, const friction::PressureMoments& moments,
+                           const friction::Wrench& gradient, const friction::Twist& v) noexcept;
+
+// For a Hertz disc of radius `radius` about `centre`, whose relative error is `delta`; v may not be 0.
+WrenchError error_of_radius(const friction::Law& law, double normal_force, double radius, const friction::Pole& centre,
+                            const friction::Twist& v, double delta);
+
+}  // namespace patchgrip::cli

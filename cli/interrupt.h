@@ -1,0 +1,23 @@
+// A request to stop (Ctrl-C, kill, a closed terminal), noted by a signal handler and asked for where stopping is safe.
+#pragma once
+
+namespace patchgrip::cli {
+
+// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the program, and interrupt a blocking write.
+// A signal that was ignored stays ignored. One at a time.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  // Throws Interrupted once a signal has arrived.
+  static void check();
+};
+
+struct Interrupted {
+  int signal;
+};
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,171 @@
+// The program `patchgrip`: command line, exit codes, and nothing else.
+//
+// Exit codes: 0 done; 1 a question answered with a failure; 2 bad input, or a result that could not be written;
+// 128 + n stopped by signal n.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <patchgrip/cli/accuracy.h>
+#include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/materials.h>
+#include <patchgrip/cli/nearest_name.h>
+#include <patchgrip/cli/output_file.h>
+#include <patchgrip/cli/scene.h>
+#include <patchgrip/cli/scene_error.h>
+#include <patchgrip/cli/tabulate.h>
+#include <patchgrip/version.h>
+
+namespace {
+
+using namespace patchgrip;
+
+constexpr int done = 0;
+constexpr int bad_input = 2;
+constexpr int by_signal = 128;
+
+constexpr std::string_view about = "Contact, friction and grasping of soft bodies, with the error of every number.";
+
+constexpr std::string_view about_exit_codes =
+    "Exit codes: 0 done, 1 a question answered with a failure, 2 bad input or a result that cannot be written.\n"
+    "patchgrip SUBCOMMAND --help says more.";
+
+constexpr std::string_view about_tabulate =
+    "friction force and moment of a contact against the instantaneous pole (CSV)";
+
+constexpr std::string_view about_scenes =
+    "SCENE names the contact, the law of friction and the poles. Its format is described key by key in\n"
+    "data/scenes/README.md (installed: share/patchgrip/scenes), beside ready-made scenes.\n"
+    "Materials named there are looked for in materials/ beside the scene or beside its folder, then among those of "
+    "patchgrip.";
+
+constexpr std::string_view about_accuracy = "errors of every entry of reference tables (JSON), and what is not covered";
+
+constexpr std::string_view about_failure =
+    "Exit code 1 if an error exceeds the tolerance, or if something is not covered and --allow-uncovered is not given.";
+
+constexpr std::array<std::string_view, 2> subcommands{"tabulate", "accuracy"};
+
+struct Arguments {
+  std::string scene;
+  std::string output = "-";
+  std::string materials;
+  std::vector<std::string> tables;
+  std::string tolerance = "1e-12";
+  bool allow_uncovered = false;
+};
+
+// With a standard descriptor closed, the next file to be opened would take its place and receive our messages.
+void occupy_standard_descriptors() {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) == -1) (void)open("/dev/null", O_RDONLY);
+  }
+}
+
+int run_tabulate(const Arguments& arguments) {
+  const cli::InterruptGuard guard;
+  if (!arguments.materials.empty() && !std::filesystem::is_directory(arguments.materials)) {
+    throw cli::SceneError(arguments.materials, 0, "is not a folder of materials");
+  }
+  const cli::MaterialLibrary materials = arguments.materials.empty() ? cli::MaterialLibrary::for_scene(arguments.scene)
+                                                                     : cli::MaterialLibrary({arguments.materials});
+  const cli::Scene scene = cli::read_scene(cli::TomlDocument::read(arguments.scene), materials);
+  cli::OutputFile out(arguments.output);
+  cli::tabulate(scene, arguments.scene, out);
+  out.commit();
+  return done;
+}
+
+double tolerance_of(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) || !std::isfinite(value)) {
+    throw CLI::ValidationError("--tolerance", fmt::format("'{}' is not a positive number", cli::printable(text)));
+  }
+  return value;
+}
+
+void refuse_unknown_subcommand(int argc, char** argv) {
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  if (first.empty() || first.starts_with('-') || std::ranges::find(subcommands, first) != subcommands.end()) return;
+  throw CLI::ExtrasError(
+      fmt::format("unknown subcommand '{}'{}", cli::printable(first), cli::suggestion(first, subcommands)),
+      CLI::ExitCodes::ExtrasError);
+}
+
+int run(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app{std::string(about), "patchgrip"};
+  app.footer(std::string(about_exit_codes));
+  app.set_version_flag("--version", fmt::format("patchgrip {}", version));
+  app.require_subcommand(1);
+
+  CLI::App* tabulate = app.add_subcommand("tabulate", std::string(about_tabulate));
+  tabulate->footer(std::string(about_scenes));
+  tabulate->add_option("SCENE", arguments.scene, "scene file (TOML)")->required();
+  tabulate
+      ->add_option("-o,--output", arguments.output,
+                   "file to write; it is replaced only by a whole table. Default: standard output")
+      ->type_name("FILE");
+  tabulate->add_option("--materials", arguments.materials, "folder to look for materials in, instead of the usual ones")
+      ->type_name("DIR");
+
+  CLI::App* accuracy = app.add_subcommand("accuracy", std::string(about_accuracy));
+  accuracy->footer(std::string(about_failure));
+  accuracy->add_option("TABLE", arguments.tables, "reference tables (JSON)")->required();
+  accuracy
+      ->add_option("--tolerance", arguments.tolerance,
+                   "largest error relative to the scale of a quantity. Default: 1e-12")
+      ->type_name("T");
+  accuracy->add_flag("--allow-uncovered", arguments.allow_uncovered,
+                     "kinds and fields that are not covered are no failure");
+
+  try {
+    refuse_unknown_subcommand(argc, argv);
+    app.parse(argc, argv);
+    if (tabulate->parsed()) return run_tabulate(arguments);
+    return cli::run_accuracy(arguments.tables, tolerance_of(arguments.tolerance), arguments.allow_uncovered, std::cout);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << "patchgrip: " << error.what() << "\nRun patchgrip --help for what it can do.\n";
+    return bad_input;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  occupy_standard_descriptors();
+  int code = bad_input;
+  try {
+    code = run(argc, argv);
+  } catch (const cli::Interrupted& stop) {
+    return by_signal + stop.signal;
+  } catch (const cli::ClosedPipe&) {
+    return bad_input;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "patchgrip: out of memory\n";
+    return bad_input;
+  } catch (const std::exception& error) {
+    std::cerr << "patchgrip: " << error.what() << '\n';
+    return bad_input;
+  }
+  if (!std::cout.flush()) {
+    std::cerr << "patchgrip: standard output: cannot be written\n";
+    return bad_input;
+  }
+  return code;
+}
