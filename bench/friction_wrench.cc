@@ -1,0 +1,92 @@
+// Friction force and moment against the pole: time and error of every method, in one run.
+//
+//     friction_wrench [--output CSV] [--short] [--benchmark_...]
+//
+// --short measures only what the chart of error against time needs (plots/speed_accuracy_wrench.py).
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <patchgrip/bench/batch_cases.h>
+#include <patchgrip/bench/hertz_cases.h>
+#include <patchgrip/bench/patch_cases.h>
+#include <patchgrip/bench/report.h>
+#include <patchgrip/bench/timing.h>
+
+namespace {
+
+using patchgrip::bench::Case;
+
+struct Options {
+  bool is_short = false;
+  std::string output;
+};
+
+// Takes Google Benchmark's own options, which go behind defaults of ours, then the rest.
+Options parse(int argc, char** argv) {
+  const bool is_short = std::any_of(argv, argv + argc, [](const char* a) { return std::strcmp(a, "--short") == 0; });
+  std::vector<std::string> words{argv[0], "--benchmark_enable_random_interleaving=true",
+                                 is_short ? "--benchmark_repetitions=5" : "--benchmark_repetitions=15",
+                                 is_short ? "--benchmark_min_time=0.005" : "--benchmark_min_time=0.02"};
+  words.insert(words.end(), argv + 1, argv + argc);
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words) pointers.push_back(word.data());
+  int count = static_cast<int>(pointers.size());
+  pointers.push_back(nullptr);
+  benchmark::Initialize(&count, pointers.data());
+
+  Options options{is_short, {}};
+  for (int i = 1; i < count; ++i) {
+    const std::string word = pointers[static_cast<std::size_t>(i)];
+    if (word == "--output" && i + 1 < count) {
+      options.output = pointers[static_cast<std::size_t>(++i)];
+    } else if (word != "--short") {
+      std::cerr << "friction_wrench: unknown option " << word
+                << "; known are --output CSV, --short and --benchmark_...\n";
+      std::exit(2);
+    }
+  }
+  return options;
+}
+
+std::vector<Case> cases_to_run(bool is_short) {
+  std::vector<Case> cases = patchgrip::bench::work_precision_cases();
+  if (is_short) return cases;
+  for (auto* more : {patchgrip::bench::hertz_cases, patchgrip::bench::batch_cases, patchgrip::bench::round_cases,
+                     patchgrip::bench::polygon_cases}) {
+    std::ranges::move(more(), std::back_inserter(cases));
+  }
+  return cases;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = parse(argc, argv);
+  const std::vector<Case> cases = cases_to_run(options.is_short);
+  const std::vector<double> times = patchgrip::bench::least_times(cases);
+
+  std::vector<patchgrip::bench::Measurement> measurements;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    measurements.push_back({cases[i].label, cases[i].error, cases[i].judged, times[i]});
+  }
+  patchgrip::bench::print_measurements(std::cout, measurements);
+  if (!options.is_short) patchgrip::bench::print_ratios(std::cout, measurements);
+  if (options.output.empty()) return 0;
+  std::ofstream file(options.output);
+  patchgrip::bench::write_csv(file, measurements);
+  file.flush();
+  if (!file) {
+    std::cerr << "friction_wrench: cannot write " << options.output << '\n';
+    return 1;
+  }
+}
