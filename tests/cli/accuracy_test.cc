@@ -1,0 +1,171 @@
+// The comparison with reference tables: what passes and what fails.
+#include <patchgrip/cli/accuracy.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "accuracy_tables.h"
+
+namespace patchgrip::cli {
+namespace {
+
+using test::committed;
+using test::committed_json;
+using test::flat_punch;
+using test::json;
+using test::Outcome;
+using test::ring_on_the_rim;
+using test::usual;
+using test::with;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Accuracy : public test::AccuracyTest {};
+
+TEST_F(Accuracy, CommittedTableAgreesTo1e12) {
+  const Outcome outcome = compare_file(committed(), usual, true);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("entries compared, 0 kinds beyond 1e-12"));
+}
+
+TEST_F(Accuracy, GapsOfTheCommittedTableAreNamedAndFailUnlessAllowed) {
+  const Outcome outcome = compare_file(committed());
+  EXPECT_EQ(outcome.code, 1);
+  for (const char* gap :
+       {"wrench_integrals: contact type 'hertz_ellipse' (7 entries)", "wrench_integrals: contact type 'union'",
+        "hessian_S: contact type 'triangles_linear'", "gauge: 'L_shape'", "point_laws: all of it",
+        "misc.coast_down_stop: all of it (2 entries)", "local_stribeck: field 'local' (4 entries)"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(std::string("Not covered: ") + gap));
+  }
+}
+
+TEST_F(Accuracy, EveryCoveredContactOfEverySectionIsCompared) {
+  const std::string out = compare_file(committed(), usual, true).out;
+  const auto has_line = [&](const std::string& section, const std::string& contact, const std::string& quantity) {
+    std::istringstream lines(out);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with(section) && line.find(" " + contact + " ") != line.npos &&
+          line.find(" " + quantity + " ") != line.npos) {
+        return true;
+      }
+    }
+    return false;
+  };
+  for (const char* disc : {"hertz_disc", "uniform_disc", "flat_punch_disc", "ring_line_load"}) {
+    EXPECT_TRUE(has_line("limit_curve", disc, "force")) << disc;
+    EXPECT_TRUE(has_line("hessian_S", disc, "Hessian of S")) << disc;
+    EXPECT_TRUE(has_line("hessian_D", disc, "Hessian of D")) << disc;
+    EXPECT_TRUE(has_line("hessian_D", disc, "D")) << disc;
+    EXPECT_TRUE(has_line("wrench_integrals", disc, "moment, relative")) << disc;
+  }
+  for (const char* zone : {"rectangle_uniform", "polygon_uniform"}) {
+    EXPECT_TRUE(has_line("wrench_integrals", zone, "far moment, relative")) << zone;
+    EXPECT_TRUE(has_line("hessian_S", zone, "Hessian of S")) << zone;
+  }
+  EXPECT_TRUE(has_line("wrench_integrals", "power_disc", "S"));
+  EXPECT_TRUE(has_line("wrench_integrals", "xydas_kao_disc", "S"));
+  EXPECT_TRUE(has_line("limit_curve", "hertz_disc", "pole at m / m0"));
+  EXPECT_TRUE(has_line("misc.example_4_8", "rectangle_uniform", "vm2_over_L2w2"));
+  EXPECT_TRUE(has_line("viscous", "polygon_uniform", "second moment"));
+  EXPECT_TRUE(has_line("local_stribeck", "uniform_disc", "mean moment"));
+}
+
+struct Value {
+  std::string section;
+  std::string entry;  // pointer in the section, alone in its list; empty for a section that is no list
+  std::string value;  // pointer in the entry
+};
+
+class AccuracyOfOneValue : public Accuracy, public ::testing::WithParamInterface<Value> {};
+
+TEST_P(AccuracyOfOneValue, IsMissedWhenWrongByOnePartIn1e9) {
+  const auto& [section, entry, value] = GetParam();
+  const json all = committed_json();
+  const json::json_pointer at(section);
+  json table;
+  table[at] = entry.empty() ? all[at] : json::array({all[at][json::json_pointer(entry)]});
+  EXPECT_EQ(compare(table.dump(), usual, true).code, 0);
+
+  json& number = table[at / json::json_pointer(entry.empty() ? "" : "/0") / json::json_pointer(value)];
+  const std::string digits = number.get<std::string>();
+  const std::size_t ninth = digits.find_first_of("123456789") + 9;
+  ASSERT_LT(ninth + 1, digits.size()) << digits;
+  std::string wrong = digits;
+  wrong[ninth] = wrong[ninth] == '5' ? '4' : '5';
+  number = wrong;
+  const Outcome outcome = compare(table.dump(), usual, true);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("> 1e-12: "), HasSubstr(" at " + section.substr(1, 4))));
+  EXPECT_EQ(compare(table.dump(), 1e-6, true).code, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sections, AccuracyOfOneValue,
+    ::testing::Values(
+        Value{"/wrench_integrals", "/0", "/a_K_m"}, Value{"/wrench_integrals", "/0", "/rows/3/I1"},
+        Value{"/wrench_integrals", "/1", "/rows/9/I2"}, Value{"/wrench_integrals", "/2", "/rows/11/I3"},
+        Value{"/wrench_integrals", "/3", "/rows/2/S_m"}, Value{"/wrench_integrals", "/6", "/rows/9/I3"},
+        Value{"/wrench_integrals", "/11", "/rows/3/I2"}, Value{"/hessian_S", "/0", "/rows/1/S_xixi"},
+        Value{"/hessian_S", "/5", "/rows/3/S_xieta"}, Value{"/hessian_S", "/6", "/rows/0/S_etaeta"},
+        Value{"/hessian_D", "/0", "/rows/0/D"}, Value{"/hessian_D", "/1", "/rows/0/H_11_12_13_22_23_33/2"},
+        Value{"/hessian_D", "/2", "/rows/1/H_11_12_13_22_23_33/0"},
+        Value{"/limit_curve", "/0", "/points/4/f=F~1(mu F_N)"},
+        Value{"/limit_curve", "/3", "/points/10/m=M~1(mu F_N a)"}, Value{"/limit_curve", "/1", "/f_at_m/1/m"},
+        Value{"/limit_curve", "/1", "/f_at_m/1/f"}, Value{"/limit_curve", "/2", "/f_at_m/3/r_M_over_a"},
+        Value{"/misc/example_4_8", "", "/I1"}, Value{"/misc/example_4_8", "", "/aK_I3_over_L"},
+        Value{"/misc/example_4_8", "", "/disc_moment_over_muFNL"}, Value{"/viscous", "", "/s0_m/0"},
+        Value{"/viscous", "", "/s1_m2"}, Value{"/viscous", "", "/rows/0/t2_N"}, Value{"/viscous", "", "/rows/1/t3_Nm"},
+        Value{"/local_stribeck", "", "/rows/0/mean_4_48/1"}, Value{"/local_stribeck", "", "/rows/3/mean_4_48/2"}),
+    [](const auto& instance) {
+      std::string name = instance.param.section + instance.param.entry + instance.param.value;
+      for (char& c : name) {
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+      }
+      return name.substr(1);
+    });
+
+TEST_F(Accuracy, RoundingOfTheInputsIsShownButDoesNotFail) {
+  // 1e-6 outside a ring the slope of f is 4.4: the rounding of 1.000001 alone makes an error of 5 units.
+  json table = committed_json();
+  const json ring = table["/wrench_integrals/3"_json_pointer];
+  ASSERT_EQ(ring["contact"]["type"], "ring_line_load");
+  json entry = ring;
+  entry["rows"] = json::array({ring["rows"][7]});
+  const std::string text = json{{"wrench_integrals", json::array({entry})}}.dump();
+  EXPECT_EQ(compare(text, 5e-16).code, 0);
+  EXPECT_EQ(
+      compare(with(text, "1.00000100000000000", "1.0000009999999999177333620536956004798412322998046875"), 5e-16).code,
+      1);
+}
+
+TEST_F(Accuracy, InfiniteHessiansAreDueWhereTheTableHasThem) {
+  EXPECT_EQ(compare(ring_on_the_rim).code, 0);
+  EXPECT_EQ(compare(with(ring_on_the_rim, R"("xi_M": "1")", R"("xi_M": "1.5")")).code, 1);
+  EXPECT_EQ(compare(with(with(ring_on_the_rim, R"("inf")", R"("1")"), "null", "1")).code, 1);
+}
+
+TEST_F(Accuracy, InfiniteHessianAtAPoleThatIsNoDoubleIsNotCovered) {
+  const Outcome outcome =
+      compare(with(ring_on_the_rim, R"("xi_M": "1", "eta_M": "0")", R"("xi_M": "0.28", "eta_M": "0.96")"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("Not covered: hessian_S: an infinite Hessian"));
+}
+
+TEST_F(Accuracy, SeveralTablesAreJudgedTogether) {
+  const std::filesystem::path wrong = file_.string() + ".wrong";
+  std::ofstream(file_) << flat_punch;
+  std::ofstream(wrong) << with(flat_punch, "0.68722", "0.68723");
+  std::ostringstream out;
+  EXPECT_EQ(run_accuracy({file_.string(), wrong.string()}, usual, false, out), 1);
+  EXPECT_EQ(run_accuracy({file_.string(), file_.string()}, usual, false, out), 0);
+  std::filesystem::remove(wrong);
+}
+
+}  // namespace
+}  // namespace patchgrip::cli

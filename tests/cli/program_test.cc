@@ -1,0 +1,300 @@
+// The program as its users meet it: exit codes, messages, files left behind.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "scenes.h"
+
+namespace patchgrip::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+struct Result {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class Program : public ::testing::Test {
+ protected:
+  Program() : folder_(fs::path(::testing::TempDir()) / ("program_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_ / "scenes");
+    std::ofstream(scene("disc")) << test::good_disc;
+    std::ofstream(scene("long")) << test::with(
+        test::good_disc, "list = [[0.001, 0.002], [0, 0]]",
+        "grid = { x = { from = 0, to = 1, count = 10000 }, y = { from = 0, to = 1, count = 10000 } }");
+  }
+  ~Program() override { fs::remove_all(folder_); }
+
+  fs::path scene(const std::string& name) const { return folder_ / "scenes" / (name + ".toml"); }
+
+  std::string scene_text(const std::string& name, const std::string& text) const {
+    std::ofstream(scene(name)) << text;
+    return scene(name).string();
+  }
+
+  // `arguments` as a shell reads them; may redirect.
+  Result run(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "'; { '" + std::string(PATCHGRIP_PROGRAM) + "' " +
+                                arguments + "; } >out.txt 2>err.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), content(folder_ / "out.txt"),
+            content(folder_ / "err.txt")};
+  }
+
+  // Starts the program with standard output and error at the given descriptors.
+  pid_t start(const std::vector<std::string>& arguments, int out, int err) const {
+    std::vector<std::string> words{PATCHGRIP_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+      dup2(out, STDOUT_FILENO);
+      dup2(err, STDERR_FILENO);
+      execv(argv[0], argv.data());
+      _exit(127);
+    }
+    return child;
+  }
+
+  static int code_of(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Program, PrintsItsVersion) {
+  const Result result = run("--version");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, StartsWith("patchgrip "));
+}
+
+TEST_F(Program, HelpsWithEverySubcommand) {
+  for (const auto* const arguments : {"--help", "tabulate --help", "accuracy --help", "-h"}) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 0) << arguments;
+    EXPECT_THAT(result.out, HasSubstr("Usage: patchgrip")) << arguments;
+    EXPECT_THAT(result.err, IsEmpty()) << arguments;
+  }
+}
+
+TEST_F(Program, RefusesUnknownArgumentsWithCode2) {
+  for (const auto* const arguments :
+       {"", "tabulat x", "--hepl", "tabulate", "tabulate scenes/disc.toml extra", "accuracy",
+        "tabulate scenes/disc.toml --output", "tabulate --no-such-option scenes/disc.toml",
+        "accuracy t.json --tolerance nan", "accuracy t.json --tolerance -1", "accuracy t.json --tolerance 1e999",
+        "accuracy t.json --tolerance 1x"}) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 2) << arguments;
+    EXPECT_THAT(result.err, Not(IsEmpty())) << arguments;
+    EXPECT_THAT(result.out, IsEmpty()) << arguments;
+  }
+  EXPECT_THAT(run("tabulat x").err, HasSubstr("did you mean 'tabulate'?"));
+}
+
+TEST_F(Program, WritesTheTableToStandardOutput) {
+  const Result result = run("tabulate scenes/disc.toml");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, HasSubstr("# scene: scenes/disc.toml\n"));
+  EXPECT_THAT(result.out, HasSubstr("\npole_x_m,pole_y_m,spin,"));
+  EXPECT_THAT(result.err, IsEmpty());
+}
+
+TEST_F(Program, TheSameTableGoesToAnyOutput) {
+  const std::string table = run("tabulate scenes/disc.toml").out;
+  EXPECT_EQ(run("tabulate scenes/disc.toml -o -").out, table);
+  EXPECT_EQ(run("tabulate scenes/disc.toml -o /dev/stdout").out, table);
+  EXPECT_EQ(run("tabulate scenes/disc.toml --output table.csv").code, 0);
+  EXPECT_EQ(content(folder_ / "table.csv"), table);
+}
+
+TEST_F(Program, AddsToARedirectedStandardOutput) {
+  const Result result = run("tabulate scenes/disc.toml -o /dev/stdout; echo end");
+  EXPECT_TRUE(result.out.ends_with("end\n"));
+  EXPECT_THAT(result.out, StartsWith("# patchgrip"));
+}
+
+TEST_F(Program, RefusesABadSceneWithCode2AndTouchesNoFile) {
+  std::ofstream(folder_ / "table.csv") << "old";
+  scene_text("bad", test::with(test::good_disc, "0.005", "-0.005"));
+  const Result result = run("tabulate scenes/bad.toml --output table.csv");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_EQ(result.err, "patchgrip: scenes/bad.toml:3: contact.radius = -0.005: a radius in m, from 1e-60 to 1e+60\n");
+  EXPECT_EQ(content(folder_ / "table.csv"), "old");
+}
+
+TEST_F(Program, RefusesWhatIsNoFileWithCode2) {
+  for (const auto* const file : {"no.toml", "scenes", "/dev/null", "/dev/zero", "''"}) {
+    EXPECT_EQ(run("tabulate " + std::string(file)).code, 2) << file;
+  }
+}
+
+TEST_F(Program, ReadsASceneFromAPipe) { EXPECT_EQ(run("tabulate /dev/stdin < scenes/disc.toml").code, 0); }
+
+TEST_F(Program, FindsMaterialsBesideTheScene) {
+  fs::create_directories(folder_ / "scenes" / "materials");
+  std::ofstream(folder_ / "scenes" / "materials" / "jelly.toml")
+      << "youngs_modulus = { value = 1e4, source = \"here\" }\npoisson_ratio = { value = 0.5, source = \"here\" }\n";
+  scene_text("jelly", test::with(test::good_bodies, "rubber", "jelly"));
+  EXPECT_THAT(run("tabulate scenes/jelly.toml").out, HasSubstr("jelly, E = 10000 Pa, nu = 0.5"));
+}
+
+TEST_F(Program, FindsItsOwnMaterialsAndThoseOfAFolder) {
+  scene_text("bodies", test::good_bodies);
+  EXPECT_EQ(run("tabulate scenes/bodies.toml").code, 0);
+  EXPECT_EQ(run("tabulate scenes/bodies.toml --materials '" + (test::data_folder / "materials").string() + "'").code,
+            0);
+  fs::create_directories(folder_ / "empty");
+  EXPECT_THAT(run("tabulate scenes/bodies.toml --materials empty").err, HasSubstr("no folder of materials"));
+  EXPECT_EQ(run("tabulate scenes/bodies.toml --materials nowhere").code, 2);
+}
+
+TEST_F(Program, AMaterialWithoutSourceIsRefusedInItsOwnFile) {
+  fs::create_directories(folder_ / "own");
+  std::ofstream(folder_ / "own" / "rubber.toml") << "youngs_modulus = { value = 1e6 }\n";
+  scene_text("bodies", test::good_bodies);
+  const Result result = run("tabulate scenes/bodies.toml --materials own");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("own/rubber.toml:1: youngs_modulus.source: missing"));
+}
+
+TEST_F(Program, ReportsAFullDiskWithCode2) {
+  for (const auto* const arguments :
+       {"tabulate scenes/disc.toml --output /dev/full", "tabulate scenes/disc.toml >/dev/full", "--help >/dev/full",
+        "--version >/dev/full"}) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr("cannot be written")) << arguments;
+  }
+}
+
+TEST_F(Program, ReportsAnOutputThatCannotBeMadeWithCode2) {
+  const Result result = run("tabulate scenes/disc.toml --output no/such/folder/table.csv");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("no/such/folder/table.csv: cannot be made: No such file or directory"));
+  EXPECT_EQ(run("tabulate scenes/disc.toml --output scenes").code, 2);
+}
+
+TEST_F(Program, SurvivesClosedStandardDescriptors) {
+  EXPECT_EQ(run("tabulate scenes/disc.toml --output table.csv >&- 2>&- <&-").code, 0);
+  EXPECT_THAT(content(folder_ / "table.csv"), StartsWith("# patchgrip"));
+  EXPECT_EQ(run("tabulate scenes/disc.toml >&-").code, 2);
+  EXPECT_EQ(run("tabulate scenes/no.toml --output other.csv 2>&-").code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "other.csv"));
+}
+
+TEST_F(Program, EndsQuietlyWhenItsReaderLeaves) {
+  const Result result = run("tabulate scenes/long.toml | head -n 1");
+  EXPECT_THAT(result.out, StartsWith("# patchgrip"));
+  EXPECT_THAT(result.err, IsEmpty());
+}
+
+class Interrupt : public Program, public ::testing::WithParamInterface<int> {};
+
+TEST_P(Interrupt, LeavesTheOldTableAndNothingElse) {
+  std::ofstream(folder_ / "table.csv") << "old";
+  const int null = open("/dev/null", O_RDWR);
+  const pid_t child = start({"tabulate", scene("long"), "--output", (folder_ / "table.csv").string()}, null, null);
+  const auto entries = [&] { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); };
+  for (int i = 0; i < 1000 && entries() < 3; ++i) std::this_thread::sleep_for(10ms);
+  EXPECT_EQ(entries(), 3) << "scenes, table.csv and the temporary";
+  kill(child, GetParam());
+  EXPECT_EQ(code_of(child), 128 + GetParam());
+  EXPECT_EQ(content(folder_ / "table.csv"), "old");
+  EXPECT_EQ(entries(), 2);
+  close(null);
+}
+
+INSTANTIATE_TEST_SUITE_P(Program, Interrupt, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto& signal) { return std::string("Signal") + std::to_string(signal.param); });
+
+class Terminal : public Program {
+ protected:
+  Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY)) {
+    grantpt(master_);
+    unlockpt(master_);
+    slave_ = open(ptsname(master_), O_RDWR | O_NOCTTY);
+    fcntl(master_, F_SETFL, O_NONBLOCK);
+  }
+  ~Terminal() override {
+    close(slave_);
+    close(master_);
+  }
+
+  std::string shown() const {
+    std::string text;
+    std::array<char, 4096> part{};
+    for (ssize_t n = 0; (n = read(master_, part.data(), part.size())) > 0;)
+      text.append(part.data(), static_cast<std::size_t>(n));
+    return text;
+  }
+
+  int master_;
+  int slave_ = -1;
+};
+
+TEST_F(Terminal, ShowsProgressOfALongTableAndErasesIt) {
+  const int null = open("/dev/null", O_RDWR);
+  const pid_t child = start({"tabulate", scene("long"), "--output", (folder_ / "table.csv").string()}, null, slave_);
+  std::this_thread::sleep_for(2500ms);
+  kill(child, SIGINT);
+  EXPECT_EQ(code_of(child), 128 + SIGINT);
+  const std::string text = shown();
+  EXPECT_THAT(text, HasSubstr("tabulate: 0 %"));
+  EXPECT_TRUE(text.ends_with("\r\x1b[K")) << "the line stays";
+  EXPECT_LE(std::count(text.begin(), text.end(), '%'), 26) << "more than ten a second";
+  close(null);
+}
+
+TEST_F(Terminal, ShowsNoProgressOfAShortTable) {
+  const int null = open("/dev/null", O_RDWR);
+  EXPECT_EQ(code_of(start({"tabulate", scene("disc")}, null, slave_)), 0);
+  EXPECT_THAT(shown(), IsEmpty());
+  close(null);
+}
+
+TEST_F(Terminal, ShowsNoProgressAmongTheRows) {
+  const pid_t child = start({"tabulate", scene("long")}, slave_, slave_);
+  std::string text;
+  const auto end = std::chrono::steady_clock::now() + 1200ms;
+  while (std::chrono::steady_clock::now() < end) text += shown();
+  kill(child, SIGTERM);
+  code_of(child);
+  EXPECT_THAT(text, HasSubstr("# patchgrip"));
+  EXPECT_THAT(text, Not(HasSubstr("%")));
+}
+
+}  // namespace
+}  // namespace patchgrip::cli

@@ -1,0 +1,101 @@
+// Evaluating a patch allocates nothing: every operator new of this program is counted.
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <patchgrip/friction/batch.h>
+#include <patchgrip/friction/law.h>
+#include <patchgrip/friction/seed_hertz_disc.h>
+#include <patchgrip/tests/friction/any_patch.h>
+
+namespace {
+
+std::atomic<long> allocations = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+  if (void* p = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment)) return p;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return counted(size, static_cast<std::size_t>(alignment)); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace patchgrip::friction {
+namespace {
+
+template <class Function>
+long allocations_of(const Function& function) {
+  const long before = allocations;
+  function();
+  return allocations - before;
+}
+
+// Inside, on the rim or nearly, in every region of a polygon, far away and at infinity.
+const std::vector<Twist>& motions() {
+  static const std::vector<Twist> all{{0, 0, 1},   {0.01, 0.02, 1}, {1, 0, 1}, {0.6, 0.8, 1}, {2, 1, -1},
+                                      {4, 1, 0.7}, {30, 20, 1},     {5e8, 1, 1}, {1, 2, 0},   {0, 0, 0}};
+  return all;
+}
+
+template <class P>
+double evaluate(const P& patch) {
+  double sum = 0;
+  for (const Twist& v : motions()) {
+    sum += patch.dissipation(v) + patch.gradient(v).m + patch.bounded_gradient(v).force_error;
+    sum += friction_wrench(Law::stribeck(0.9, 0.5, 0.3).with_viscous(0.1), 10, patch, v).value.m;
+    sum += patch.moments().polar + patch.area_radius();
+    if (v.vx != 0 || v.w != 0) sum += patch.hessian({v.vx + 0.001, v.vy, v.w}).ww;
+  }
+  return sum;
+}
+
+TEST(Allocation, IsCounted) {
+  std::vector<int> kept;
+  EXPECT_EQ(allocations_of([&] { kept.resize(100); }), 1);
+}
+
+TEST(Allocation, DoesNotHappenWhenAPatchIsEvaluated) {
+  for (const NamedPatch& p : every_patch()) {
+    std::visit(
+        [&](const auto& patch) {
+          volatile double result = 0;
+          EXPECT_EQ(allocations_of([&] { result = evaluate(patch); }), 0) << p.name;
+        },
+        p.patch);
+  }
+  const SeedHertzDisc seed = SeedHertzDisc::of_radius(1);
+  volatile double result = 0;
+  EXPECT_EQ(allocations_of([&] { result = evaluate(seed); }), 0);
+}
+
+TEST(Allocation, DoesNotHappenWhenAPatchIsCopied) {
+  for (const NamedPatch& p : every_patch()) {
+    EXPECT_EQ(allocations_of([&] { [[maybe_unused]] const AnyPatch copy = p.patch; }), 0) << p.name;
+  }
+}
+
+TEST(Allocation, DoesNotHappenInABatch) {
+  std::vector<double> x(3000, 0.3), y(3000, 0.8), fx(3000), fy(3000), m(3000);
+  x[1500] = 1e200;  // one chunk pole by pole
+  const PoleBatch batch{x, y, fx, fy, m};
+  const HertzDisc hertz = HertzDisc::of_radius(1);
+  const FlatPunchDisc flat = FlatPunchDisc::of_radius(1);
+  const Ring ring = Ring::of_radius(1);
+  EXPECT_EQ(allocations_of([&] { gradient(hertz, 1, batch); }), 0);
+  EXPECT_EQ(allocations_of([&] { gradient(flat, 1, batch); }), 0);
+  EXPECT_EQ(allocations_of([&] { gradient(ring, 1, batch); }), 0);
+}
+
+}  // namespace
+}  // namespace patchgrip::friction

@@ -1,0 +1,98 @@
+// One patch of every exact type, for what holds of them all.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <patchgrip/friction/flat_punch_disc.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/placed.h>
+#include <patchgrip/friction/polygon.h>
+#include <patchgrip/friction/power_disc.h>
+#include <patchgrip/friction/rectangle.h>
+#include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/uniform_disc.h>
+#include <patchgrip/friction/xydas_kao_disc.h>
+#include <patchgrip/tests/friction/shapes.h>
+
+namespace patchgrip::friction {
+
+using AnyPatch = std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, Rectangle, Polygon,
+                              Placed<HertzDisc>, Placed<Ring>, Placed<Polygon>>;
+
+struct NamedPatch {
+  std::string name;
+  AnyPatch patch;
+  std::vector<Pole> landmarks;  // rim, edges and vertices: where pressures end
+  bool round_about_origin = false;
+
+  Twist at_centroid(const Twist& v) const {
+    const PressureMoments s = moments();
+    return {v.vx - v.w * s.y, v.vy + v.w * s.x, v.w};
+  }
+  PressureMoments moments() const {
+    return std::visit([](const auto& p) { return p.moments(); }, patch);
+  }
+  double area_radius() const {
+    return std::visit([](const auto& p) { return p.area_radius(); }, patch);
+  }
+  double dissipation(const Twist& v) const {
+    return std::visit([&](const auto& p) { return p.dissipation(v); }, patch);
+  }
+  Wrench gradient(const Twist& v) const {
+    return std::visit([&](const auto& p) { return p.gradient(v); }, patch);
+  }
+  BoundedWrench bounded_gradient(const Twist& v) const {
+    return std::visit([&](const auto& p) { return p.bounded_gradient(v); }, patch);
+  }
+  Hessian hessian(const Twist& v) const {
+    return std::visit([&](const auto& p) { return p.hessian(v); }, patch);
+  }
+};
+
+inline std::vector<Pole> rim(double radius, double x = 0, double y = 0) {
+  std::vector<Pole> result;
+  for (int i = 0; i < 8; ++i) {
+    const double phi = std::numbers::pi * i / 4;
+    result.push_back({x + radius * std::cos(phi), y + radius * std::sin(phi)});
+  }
+  return result;
+}
+
+inline std::vector<Pole> corners_and_sides(const PointRing& ring, double x = 0, double y = 0) {
+  std::vector<Pole> result;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    result.push_back({x + p.x, y + p.y});
+    result.push_back({x + (p.x + q.x) / 2, y + (p.y + q.y) / 2});
+  }
+  return result;
+}
+
+inline const std::vector<NamedPatch>& every_patch() {
+  static const std::vector<NamedPatch> patches = [] {
+    std::vector<NamedPatch> all;
+    const auto disc = [&](const char* name, const auto& patch) { all.push_back({name, patch, rim(patch.radius()), true}); };
+    disc("HertzDisc", HertzDisc::of_radius(0.0037));
+    disc("FlatPunchDisc", FlatPunchDisc::of_radius(1));
+    disc("UniformDisc", UniformDisc::of_radius(0.3));
+    disc("Ring", Ring::of_radius(20));
+    disc("PowerDiscSingular", PowerDisc::of_radius(0.07, -0.3));
+    disc("PowerDiscSmooth", PowerDisc::of_radius(5, 2.5));
+    disc("XydasKaoDisc", XydasKaoDisc::of_radius(0.01, 0.7));
+    all.push_back({"Rectangle", Rectangle::of_sides(0.3, 0.05), corners_and_sides(box(-0.15, -0.025, 0.15, 0.025))});
+    for (const Shape& shape : {triangle, l_shape, frame, comb, slender_100}) {
+      all.push_back({shape.name, shape.patch(), corners_and_sides(shape.outer)});
+    }
+    all.push_back({"PlacedHertzDisc", Placed(HertzDisc::of_radius(0.5), 3, -2), rim(0.5, 3, -2)});
+    all.push_back({"PlacedRing", Placed(Ring::of_radius(0.5), -0.25, 1), rim(0.5, -0.25, 1)});
+    all.push_back({"PlacedPolygon", Placed(l_shape.patch(), 0.5, 2), corners_and_sides(l_shape.outer, 0.5, 2)});
+    return all;
+  }();
+  return patches;
+}
+
+}  // namespace patchgrip::friction
