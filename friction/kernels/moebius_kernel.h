@@ -7,6 +7,7 @@
 // V^2 - W^2 may lose its digits at the rim: f and m are smooth in R^2 there, their first odd power is R^5 (R^3).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -17,20 +18,21 @@
 namespace patchgrip::friction::kernels {
 
 struct HertzCoefficients {
-  static constexpr double force_inside(double z) noexcept { return 3 * std::numbers::pi / 8 * (1 - z / 4); }  // f / x
-  static constexpr double moment_inside(double z) noexcept {
-    return 3 * std::numbers::pi / 16 * (1 - z * (1 - 0.375 * z));
-  }
-  static constexpr double slope_inside(double z) noexcept { return 3 * std::numbers::pi / 8 * (1 - 0.75 * z); }
+  // Powers of z inside.
+  static constexpr std::array force_inside{3 * std::numbers::pi / 8, -3 * std::numbers::pi / 32};
+  static constexpr std::array moment_inside{3 * std::numbers::pi / 16, -3 * std::numbers::pi / 16,
+                                            9 * std::numbers::pi / 128};
+  static constexpr std::array slope_inside{3 * std::numbers::pi / 8, -9 * std::numbers::pi / 32};
+  // Powers of p outside.
   static constexpr const auto& force = hertz_force;
   static constexpr const auto& moment = hertz_moment;
   static constexpr const auto& slope = hertz_slope;
 };
 
 struct FlatPunchCoefficients {
-  static constexpr double force_inside(double) noexcept { return std::numbers::pi / 4; }
-  static constexpr double moment_inside(double z) noexcept { return std::numbers::pi / 4 * (1 - z / 2); }
-  static constexpr double slope_inside(double) noexcept { return std::numbers::pi / 4; }
+  static constexpr std::array force_inside{std::numbers::pi / 4};
+  static constexpr std::array moment_inside{std::numbers::pi / 4, -std::numbers::pi / 8};
+  static constexpr std::array slope_inside{std::numbers::pi / 4};
   static constexpr const auto& force = flat_punch_force;
   static constexpr const auto& moment = flat_punch_moment;
   static constexpr const auto& slope = flat_punch_slope;
@@ -47,7 +49,7 @@ struct MoebiusKernel {
     if (pole_inside(t)) {
       const double k = 1 / t.W;
       const double z = t.V2 * k * k;
-      return {k * Coefficients::force_inside(z), Coefficients::moment_inside(z)};
+      return {k * horner(Coefficients::force_inside, z), horner(Coefficients::moment_inside, z)};
     }
     const double V = std::sqrt(t.V2);
     const double k = 1 / V;
@@ -56,7 +58,7 @@ struct MoebiusKernel {
   }
 
   static double slope(const RoundTwist& t) noexcept {
-    if (pole_inside(t)) return Coefficients::slope_inside(t.V2 / t.W2);
+    if (pole_inside(t)) return horner(Coefficients::slope_inside, t.V2 / t.W2);
     return polynomial(Coefficients::slope, variable(t, std::sqrt(t.V2)));
   }
 

@@ -40,6 +40,14 @@ template <std::size_t N>
   return polynomial(c, Pair{t, t});
 }
 
+// The same by Horner's rule: for short polynomials whose leading terms may cancel.
+template <std::size_t N>
+[[gnu::always_inline]] constexpr double horner(const std::array<double, N>& c, double t) noexcept {
+  double sum = c[N - 1];
+  for (std::size_t k = N - 1; k-- > 0;) sum = sum * t + c[k];
+  return sum;
+}
+
 // The two polynomials as one of pairs.
 template <std::size_t N>
 constexpr std::array<Pair, N> paired(const std::array<double, N>& first, const std::array<double, N>& second) noexcept {
