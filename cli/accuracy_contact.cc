@@ -36,8 +36,9 @@ struct Shape {
 
 template <class Disc>
 Shape read_disc(TableObject& contact) {
-  return {
-      {contact.length("radius").metres()}, [](Shape::Sizes s) -> PatchVariant { return Disc::of_radius(s[0]); }, true};
+  return {.inputs = {contact.length("radius").metres()},
+          .build = [](Shape::Sizes s) -> PatchVariant { return Disc::of_radius(s[0]); },
+          .round = true};
 }
 
 template <class Disc>
@@ -47,13 +48,15 @@ Shape read_disc_of_family(TableObject& contact, std::string_view parameter, doub
   const TableNode node = contact[parameter];
   const Exact value = node.number();
   if (!(value > above)) node.fail(fmt::format("a number above {} is expected", above));
-  return {
-      {radius.metres(), value}, [](Shape::Sizes s) -> PatchVariant { return Disc::of_radius(s[0], s[1]); }, true, true};
+  return {.inputs = {radius.metres(), value},
+          .build = [](Shape::Sizes s) -> PatchVariant { return Disc::of_radius(s[0], s[1]); },
+          .round = true,
+          .partly_covered = true};
 }
 
 Shape read_rectangle(TableObject& contact) {
-  return {{contact.length("l_xi").metres(), contact.length("l_eta").metres()},
-          [](Shape::Sizes s) -> PatchVariant { return friction::Rectangle::of_sides(s[0], s[1]); }};
+  return {.inputs = {contact.length("l_xi").metres(), contact.length("l_eta").metres()},
+          .build = [](Shape::Sizes s) -> PatchVariant { return friction::Rectangle::of_sides(s[0], s[1]); }};
 }
 
 std::size_t read_outline(const TableNode& node, const Exact& factor, std::vector<Exact>& coordinates) {
@@ -77,16 +80,17 @@ Shape read_polygon(TableObject& contact) {
   const std::size_t corners = read_outline(vertices.node, vertices.factor, coordinates);
   std::vector<std::size_t> hole_corners;
   if (const auto holes = contact.find_length("holes")) {
-    for (const TableNode& hole : holes->node.items())
+    for (const TableNode& hole : holes->node.items()) {
       hole_corners.push_back(read_outline(hole, holes->factor, coordinates));
+    }
   }
   const auto build = [corners, hole_corners](Shape::Sizes sizes) -> PatchVariant {
     std::vector<Point> outer = take_outline(sizes, corners);
-    std::vector<std::vector<Point>> holes;
-    for (const std::size_t count : hole_corners) holes.push_back(take_outline(sizes, count));
+    std::vector<std::vector<Point>> holes(hole_corners.size());
+    for (std::size_t i = 0; i < holes.size(); ++i) holes[i] = take_outline(sizes, hole_corners[i]);
     return friction::Polygon::uniform(std::move(outer), std::move(holes));
   };
-  return {std::move(coordinates), build, false, false, corners};
+  return {.inputs = std::move(coordinates), .build = build, .corners = corners};
 }
 
 std::optional<Shape> read_shape(const std::string& type, TableObject& contact) {

@@ -19,12 +19,12 @@ Exact multiple_of_L(const TableNode& node, std::string_view text) {
     if (c != ' ') plain += c;
   }
   const std::size_t at = plain.find('L');
-  if (at != plain.npos) {
+  if (at != std::string::npos) {
     const bool bare = at == 0 || plain[at - 1] == '-' || plain[at - 1] == '+';
     plain = fmt::format("{}{}{}", plain.substr(0, at), bare ? "1" : "", plain.substr(at + 1));
   }
   const auto value = parse_exact(plain);
-  if (!value || (at == plain.npos && *value != 0)) node.fail("a multiple of L is expected");
+  if (!value || (at == std::string::npos && *value != 0)) node.fail("a multiple of L is expected");
   return *value;
 }
 
@@ -32,8 +32,9 @@ Exact multiple_of_L(const TableNode& node, std::string_view text) {
 std::array<Exact, 2> pole(const TableNode& node) {
   const std::string text = node.text();
   const std::size_t comma = text.find(',');
-  if (!text.starts_with('(') || !text.ends_with(')') || comma == text.npos)
+  if (!text.starts_with('(') || !text.ends_with(')') || comma == std::string::npos) {
     node.fail("a pole such as '(0,L)' is expected");
+  }
   const std::string_view inner = std::string_view(text).substr(1, text.size() - 2);
   return {multiple_of_L(node, inner.substr(0, comma - 1)), multiple_of_L(node, inner.substr(comma))};
 }

@@ -78,7 +78,7 @@ Exact spin_length(const TableContact& contact) {
 
 void compare_hessian_S(const TableNode& node, AccuracyReport& report) {
   constexpr std::string_view section = "hessian_S";
-  for (const TableNode& entry_node : node.items()) {
+  for (const TableNode& entry_node : node.filled()) {
     auto entry = read_contact_entry(entry_node, section, report);
     if (!entry) continue;
     const TableContact& contact = entry->contact;
@@ -101,7 +101,7 @@ void compare_hessian_S(const TableNode& node, AccuracyReport& report) {
 
 void compare_hessian_D(const TableNode& node, AccuracyReport& report) {
   constexpr std::string_view section = "hessian_D";
-  for (const TableNode& entry_node : node.items()) {
+  for (const TableNode& entry_node : node.filled()) {
     auto entry = read_contact_entry(entry_node, section, report);
     if (!entry) continue;
     const TableContact& contact = entry->contact;

@@ -109,7 +109,7 @@ std::optional<TableContact> read_curve_contact(TableObject& entry, AccuracyRepor
                     {},
                     {{"type", entry["name"].value()}, {"radius_m", {TableValue::Kind::number, "1", {}, {}}}}};
     for (const char* parameter : {"n", "alpha"}) {
-      if (const auto given = entry.find(parameter)) disc.members.emplace_back(parameter, given->value());
+      if (const auto given = entry.find(parameter)) disc.members.push_back({parameter, given->value()});
     }
     contact = TableContact::read(entry.node().with(disc), section, report);
   }
@@ -123,7 +123,7 @@ std::optional<TableContact> read_curve_contact(TableObject& entry, AccuracyRepor
 }  // namespace
 
 void compare_limit_curve(const TableNode& node, AccuracyReport& report) {
-  for (const TableNode& entry_node : node.items()) {
+  for (const TableNode& entry_node : node.filled()) {
     TableObject entry(named_entry(entry_node));
     const auto contact = read_curve_contact(entry, report);
     if (!contact) continue;

@@ -100,7 +100,7 @@ Exact TableNode::number() const {
 }
 
 Exact TableNode::positive() const {
-  const Exact value = number();
+  Exact value = number();
   if (!(value > 0)) fail("a positive number is expected");
   return value;
 }
@@ -125,9 +125,9 @@ TableObject::TableObject(const TableNode& node) : node_(node), read_(node.value(
 std::optional<TableNode> TableObject::find(std::string_view name) {
   const auto& members = node_.value().members;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    if (members[i].first != name) continue;
+    if (members[i].name != name) continue;
     read_[i] = true;
-    return node_.member(name, members[i].second);
+    return node_.member(name, members[i].value);
   }
   return std::nullopt;
 }
@@ -165,7 +165,7 @@ std::vector<std::string> TableObject::unread() const {
   std::vector<std::string> names;
   const auto& members = node_.value().members;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    if (!read_[i] && !is_remark(members[i].first)) names.push_back(members[i].first);
+    if (!read_[i] && !is_remark(members[i].name)) names.push_back(members[i].name);
   }
   return names;
 }

@@ -49,7 +49,7 @@ std::optional<Exact> parse_decimal(std::string_view text) {
 
 std::optional<Exact> parse_exact(std::string_view text) {
   const std::size_t slash = text.find('/');
-  const auto value = parse_decimal(text.substr(0, slash));
+  auto value = parse_decimal(text.substr(0, slash));
   if (slash == std::string_view::npos || !value) return value;
   const auto divisor = parse_decimal(text.substr(slash + 1));
   if (!divisor || *divisor == 0) return std::nullopt;

@@ -37,14 +37,15 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     for (const auto& [known, value] : open_.back()->members) {
       if (known == name) return refuse(fmt::format("the name '{}' is there twice in one object", printable(name)));
     }
-    open_.back()->members.emplace_back(std::move(name), TableValue{});
+    open_.back()->members.push_back({std::move(name), {}});
     return true;
   }
 
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
     const std::string_view what = error.what();
     const std::size_t end_of_id = what.find("] ");
-    return refuse("no JSON: " + printable(end_of_id == what.npos ? what : what.substr(end_of_id + 2), what.size()));
+    return refuse("no JSON: " +
+                  printable(end_of_id == std::string_view::npos ? what : what.substr(end_of_id + 2), what.size()));
   }
 
  private:
@@ -56,7 +57,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   TableValue& next() {
     if (open_.empty()) return root_;
     TableValue& parent = *open_.back();
-    return parent.kind == TableValue::Kind::object ? parent.members.back().second : parent.items.emplace_back();
+    return parent.kind == TableValue::Kind::object ? parent.members.back().value : parent.items.emplace_back();
   }
 
   bool put(TableValue value) {

@@ -3,7 +3,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace patchgrip::cli {
@@ -13,13 +12,20 @@ class TableError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+struct TableMember;
+
 struct TableValue {
   enum class Kind { null, boolean, number, text, list, object };
 
   Kind kind = Kind::null;
-  std::string text;                                         // of a number or a text; "true" or "false"
-  std::vector<TableValue> items;                            // of a list
-  std::vector<std::pair<std::string, TableValue>> members;  // of an object, each name once
+  std::string text;                  // of a number or a text; "true" or "false"
+  std::vector<TableValue> items;     // of a list
+  std::vector<TableMember> members;  // of an object, each name once
+};
+
+struct TableMember {
+  std::string name;
+  TableValue value;
 };
 
 // Throws TableError where the file cannot be read, is no JSON, repeats a name in an object or nests more than 64 deep.

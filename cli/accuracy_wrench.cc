@@ -69,7 +69,7 @@ void compare_area_radius(const TableContact& contact, const Exact& a_K, std::str
 }  // namespace
 
 void compare_wrench_integrals(const TableNode& node, AccuracyReport& report) {
-  for (const TableNode& entry_node : node.items()) {
+  for (const TableNode& entry_node : node.filled()) {
     auto entry = read_contact_entry(entry_node, section, report);
     if (!entry) continue;
     const auto a_K = entry->fields.length("a_K");

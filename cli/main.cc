@@ -17,6 +17,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <patchgrip/cli/accuracy.h>
@@ -79,6 +80,10 @@ int run_tabulate(const Arguments& arguments) {
   const cli::InterruptGuard guard;
   if (!arguments.materials.empty() && !std::filesystem::is_directory(arguments.materials)) {
     throw cli::SceneError(arguments.materials, 0, "is not a folder of materials");
+  }
+  std::error_code no_such_output;
+  if (std::filesystem::equivalent(arguments.scene, arguments.output, no_such_output)) {
+    throw cli::OutputError(cli::printable(arguments.output, std::string::npos) + ": is the scene itself");
   }
   const cli::MaterialLibrary materials = arguments.materials.empty() ? cli::MaterialLibrary::for_scene(arguments.scene)
                                                                      : cli::MaterialLibrary({arguments.materials});
@@ -160,11 +165,11 @@ int main(int argc, char** argv) {
     std::cerr << "patchgrip: out of memory\n";
     return bad_input;
   } catch (const std::exception& error) {
-    std::cerr << "patchgrip: " << error.what() << '\n';
+    std::cerr << error.what() << '\n';
     return bad_input;
   }
   if (!std::cout.flush()) {
-    std::cerr << "patchgrip: standard output: cannot be written\n";
+    std::cerr << "standard output: cannot be written\n";
     return bad_input;
   }
   return code;

@@ -26,6 +26,11 @@ mode_t default_permissions() {
   return default_mode & ~mask;
 }
 
+// Such a name stands for a file that somebody has opened already: it is written where it is.
+bool names_descriptor(std::string_view path) {
+  return path == "/dev/stderr" || path.starts_with("/dev/fd/") || path.starts_with("/proc/");
+}
+
 // Follows links to where a file is or would be made; a loop of links is left to open() to report.
 fs::path resolved(fs::path path) {
   constexpr int most_links = 40;
@@ -58,7 +63,7 @@ OutputFile::OutputFile(const std::string& target)
   struct stat status {};
   const bool exists = stat(path.c_str(), &status) == 0;
   if (!exists && errno != ENOENT) fail("cannot be written");
-  if (target.starts_with("/dev/") || target.starts_with("/proc/") || (exists && !S_ISREG(status.st_mode))) {
+  if (names_descriptor(target) || (exists && !S_ISREG(status.st_mode))) {
     open_directly(target);
     return;
   }

@@ -108,6 +108,8 @@ TEST_F(AccuracyFormat, BadTablesAreRefusedAtTheirPlace) {
       {R"({"a": )" + std::string(100, '[') + std::string(100, ']') + "}", "64 deep"},
       {R"({"a": 1e999})", ": no JSON: "},
       {R"({"wrench_integrals": {}})", ": wrench_integrals = an object: a list"},
+      {R"({"wrench_integrals": []})", ": wrench_integrals = a list of 0: a list that is not empty"},
+      {R"({"conventions": {"F_N": "1 N"}, "misc": {}})", ": the table = an object: nothing to compare"},
       {with(flat_punch, R"("xi_M": "0.5", )", ""), place + " rows[0] = an object: the field 'xi_M' is missing"},
       {with(flat_punch, R"("a_K_m": "1.0",)", ""), place + " = an object: the field 'a_K_m' is missing"},
       {with(flat_punch, R"("type": "flat_punch_disc", )", ""),

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <exception>
@@ -174,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(Scene, MutatedScene, ::testing::ValuesIn(files_in("scen
                          [](const auto& file) { return file.param.stem().string(); });
 
 TEST(MutatedMaterial, IsAcceptedOrRefusedWithALine) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "mutated_material";
+  const fs::path folder = fs::path(::testing::TempDir()) / fmt::format("mutated_material_{}", ::getpid());
   fs::create_directories(folder);
   const MaterialLibrary library({folder});
   const Tally tally = try_all(test::data_folder / "materials" / "rubber.toml", 1, [&](const std::string& text) {

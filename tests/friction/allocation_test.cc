@@ -25,7 +25,9 @@ void* counted(std::size_t size, std::size_t alignment) {
 }  // namespace
 
 void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t alignment) { return counted(size, static_cast<std::size_t>(alignment)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
@@ -42,16 +44,13 @@ long allocations_of(const Function& function) {
 }
 
 // Inside, on the rim or nearly, in every region of a polygon, far away and at infinity.
-const std::vector<Twist>& motions() {
-  static const std::vector<Twist> all{{0, 0, 1},   {0.01, 0.02, 1}, {1, 0, 1}, {0.6, 0.8, 1}, {2, 1, -1},
-                                      {4, 1, 0.7}, {30, 20, 1},     {5e8, 1, 1}, {1, 2, 0},   {0, 0, 0}};
-  return all;
-}
+const std::vector<Twist> motions{{0, 0, 1},   {0.01, 0.02, 1}, {1, 0, 1},   {0.6, 0.8, 1}, {2, 1, -1},
+                                 {4, 1, 0.7}, {30, 20, 1},     {5e8, 1, 1}, {1, 2, 0},     {0, 0, 0}};
 
 template <class P>
-double evaluate(const P& patch) {
+double evaluate(const P& patch, const std::vector<Twist>& twists) {
   double sum = 0;
-  for (const Twist& v : motions()) {
+  for (const Twist& v : twists) {
     sum += patch.dissipation(v) + patch.gradient(v).m + patch.bounded_gradient(v).force_error;
     sum += friction_wrench(Law::stribeck(0.9, 0.5, 0.3).with_viscous(0.1), 10, patch, v).value.m;
     sum += patch.moments().polar + patch.area_radius();
@@ -70,13 +69,13 @@ TEST(Allocation, DoesNotHappenWhenAPatchIsEvaluated) {
     std::visit(
         [&](const auto& patch) {
           volatile double result = 0;
-          EXPECT_EQ(allocations_of([&] { result = evaluate(patch); }), 0) << p.name;
+          EXPECT_EQ(allocations_of([&] { result = evaluate(patch, motions); }), 0) << p.name;
         },
         p.patch);
   }
   const SeedHertzDisc seed = SeedHertzDisc::of_radius(1);
   volatile double result = 0;
-  EXPECT_EQ(allocations_of([&] { result = evaluate(seed); }), 0);
+  EXPECT_EQ(allocations_of([&] { result = evaluate(seed, motions); }), 0);
 }
 
 TEST(Allocation, DoesNotHappenWhenAPatchIsCopied) {

@@ -75,7 +75,9 @@ inline std::vector<Pole> corners_and_sides(const PointRing& ring, double x = 0, 
 inline const std::vector<NamedPatch>& every_patch() {
   static const std::vector<NamedPatch> patches = [] {
     std::vector<NamedPatch> all;
-    const auto disc = [&](const char* name, const auto& patch) { all.push_back({name, patch, rim(patch.radius()), true}); };
+    const auto disc = [&](const char* name, const auto& patch) {
+      all.push_back({name, patch, rim(patch.radius()), true});
+    };
     disc("HertzDisc", HertzDisc::of_radius(0.0037));
     disc("FlatPunchDisc", FlatPunchDisc::of_radius(1));
     disc("UniformDisc", UniformDisc::of_radius(0.3));

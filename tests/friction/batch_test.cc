@@ -21,7 +21,8 @@ using patchgrip::testing::units_of_rounding;
 using ::testing::ThrowsMessage;
 
 struct Batch {
-  explicit Batch(std::vector<double> x_, std::vector<double> y_) : x(std::move(x_)), y(std::move(y_)), fx(x.size(), -7), fy(x.size(), -7), m(x.size(), -7) {}
+  explicit Batch(std::vector<double> x_, std::vector<double> y_)
+      : x(std::move(x_)), y(std::move(y_)), fx(x.size(), -7), fy(x.size(), -7), m(x.size(), -7) {}
 
   PoleBatch view() { return {x, y, fx, fy, m}; }
 
@@ -52,8 +53,10 @@ void expect_as_scalar(const P& patch, Batch& batch, double spin) {
   for (std::size_t i = 0; i < batch.x.size(); ++i) {
     const Wrench g = patch.gradient(twist_about({batch.x[i], batch.y[i]}, std::copysign(1.0, spin)));
     const double force = std::hypot(g.fx, g.fy);
-    EXPECT_LE(std::hypot(batch.fx[i] - g.fx, batch.fy[i] - g.fy), 12 * 0x1p-53 * force) << i << ": " << batch.x[i] << ' ' << batch.y[i];
-    EXPECT_LE(std::fabs(batch.m[i] - g.m), 12 * 0x1p-53 * std::fabs(g.m)) << i << ": " << batch.x[i] << ' ' << batch.y[i];
+    EXPECT_LE(std::hypot(batch.fx[i] - g.fx, batch.fy[i] - g.fy), 12 * 0x1p-53 * force)
+        << i << ": " << batch.x[i] << ' ' << batch.y[i];
+    EXPECT_LE(std::fabs(batch.m[i] - g.m), 12 * 0x1p-53 * std::fabs(g.m))
+        << i << ": " << batch.x[i] << ' ' << batch.y[i];
   }
 }
 
@@ -77,7 +80,8 @@ void expect_eight_units(double n) {
   for (std::size_t i = 0; i < batch.x.size(); ++i) {
     const Wrench50 e = round_wrench(exact, radius, twist_about({batch.x[i], batch.y[i]}, 1));
     const Real50 force = hypot(e.fx, e.fy);
-    if (force > 0) worst = std::max(worst, static_cast<double>(hypot(batch.fx[i] - e.fx, batch.fy[i] - e.fy) / force) * 0x1p53);
+    if (force > 0)
+      worst = std::max(worst, static_cast<double>(hypot(batch.fx[i] - e.fx, batch.fy[i] - e.fy) / force) * 0x1p53);
     worst = std::max(worst, units_of_rounding(batch.m[i], e.m));
   }
   ::testing::Test::RecordProperty("worst_units", std::to_string(worst));
@@ -123,14 +127,17 @@ TEST(Batch, NotANumberStaysInItsPlace) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Batch batch({0.5, nan, 2, 0.1}, {0, 1, nan, 0.2});
   gradient(HertzDisc::of_radius(1), 1, batch.view());
-  for (const std::size_t i : {1U, 2U}) EXPECT_TRUE(std::isnan(batch.fx[i]) && std::isnan(batch.fy[i]) && std::isnan(batch.m[i]));
-  for (const std::size_t i : {0U, 3U}) EXPECT_TRUE(std::isfinite(batch.fx[i]) && std::isfinite(batch.fy[i]) && std::isfinite(batch.m[i]));
+  for (const std::size_t i : {1U, 2U})
+    EXPECT_TRUE(std::isnan(batch.fx[i]) && std::isnan(batch.fy[i]) && std::isnan(batch.m[i]));
+  for (const std::size_t i : {0U, 3U})
+    EXPECT_TRUE(std::isfinite(batch.fx[i]) && std::isfinite(batch.fy[i]) && std::isfinite(batch.m[i]));
 }
 
 TEST(Batch, WritesNothingBeyondItsSpans) {
   Batch batch = poles(16, 1);
   PoleBatch part = batch.view();
-  part = {part.pole_x.first(9), part.pole_y.first(9), part.force_x.first(9), part.force_y.first(9), part.moment.first(9)};
+  part = {part.pole_x.first(9), part.pole_y.first(9), part.force_x.first(9), part.force_y.first(9),
+          part.moment.first(9)};
   gradient(HertzDisc::of_radius(1), 1, part);
   for (std::size_t i = 9; i < 16; ++i) EXPECT_TRUE(batch.fx[i] == -7 && batch.fy[i] == -7 && batch.m[i] == -7);
 }
@@ -144,8 +151,9 @@ TEST(Batch, SpansOfDifferentLengthAreRefused) {
     if (wrong == 1) view.force_x = view.force_x.first(7);
     if (wrong == 2) view.force_y = view.force_y.first(0);
     if (wrong == 3) view.moment = view.moment.last(7);
-    EXPECT_THAT([&] { gradient(disc, 1, view); },
-                ThrowsMessage<std::invalid_argument>("length of pole_x = 8 is not allowed: must be that of the other spans"));
+    EXPECT_THAT(
+        [&] { gradient(disc, 1, view); },
+        ThrowsMessage<std::invalid_argument>("length of pole_x = 8 is not allowed: must be that of the other spans"));
     EXPECT_THROW(gradient(Ring::of_radius(1), 1, view), std::invalid_argument);
   }
 }
@@ -153,7 +161,8 @@ TEST(Batch, SpansOfDifferentLengthAreRefused) {
 TEST(Batch, WithoutSpinIsRefused) {
   Batch batch = poles(2, 1);
   const char* message = "spin = 0 is not allowed: must not be zero: a translation has no pole in the plane";
-  EXPECT_THAT([&] { gradient(HertzDisc::of_radius(1), 0, batch.view()); }, ThrowsMessage<std::invalid_argument>(message));
+  EXPECT_THAT([&] { gradient(HertzDisc::of_radius(1), 0, batch.view()); },
+              ThrowsMessage<std::invalid_argument>(message));
   EXPECT_THAT([&] { gradient(Ring::of_radius(1), 0, batch.view()); }, ThrowsMessage<std::invalid_argument>(message));
 }
 

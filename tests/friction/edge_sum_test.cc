@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <gtest/gtest.h>
 
 #include <patchgrip/tests/friction/round_reference.h>
 
@@ -16,7 +16,8 @@ using Rings = std::vector<std::vector<Vertex>>;
 
 const Rings triangle{{{0, 0}, {0.75, 0.125}, {0.25, 0.5}}};
 const Rings l_shape{{{0, 0}, {2, 0}, {2, 0.5}, {0.5, 0.5}, {0.5, 2}, {0, 2}}};
-const Rings square_with_hole{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {{-0.25, -0.25}, {-0.25, 0.5}, {0.25, 0.5}, {0.25, -0.25}}};
+const Rings square_with_hole{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
+                             {{-0.25, -0.25}, {-0.25, 0.5}, {0.25, 0.5}, {0.25, -0.25}}};
 
 double area_of(const Rings& rings) {
   double twice = 0;
@@ -74,7 +75,8 @@ void expect_equal(const Rings& rings, double X, double Y, double tolerance) {
   const auto computed = edge_sum<Want::hessian>(make_boundary<Real>(rings), Real(X), Real(Y));
   const Integrals exact = polar_quadrature(rings, X, Y);
   const auto near = [&](const Real& value, long double expected) {
-    EXPECT_NEAR(static_cast<double>(value), static_cast<double>(expected), tolerance) << "pole (" << X << ", " << Y << ')';
+    EXPECT_NEAR(static_cast<double>(value), static_cast<double>(expected), tolerance)
+        << "pole (" << X << ", " << Y << ')';
   };
   near(computed.S, exact.S);
   near(computed.gx, exact.gx);
@@ -93,7 +95,8 @@ TEST(EdgeSum, EqualsQuadratureAboutThePole) {
 }
 
 TEST(EdgeSum, HoldsOnEdgesOnVerticesAndInLineWithEdges) {
-  for (const Vertex& pole : {Vertex{2, 0}, {0.5, 0.5}, {1, 0}, {0.5, 1.25}, {0, 3}, {-1, 0.5}}) expect_equal<double>(l_shape, pole.x, pole.y, 4e-15);
+  for (const Vertex& pole : {Vertex{2, 0}, {0.5, 0.5}, {1, 0}, {0.5, 1.25}, {0, 3}, {-1, 0.5}})
+    expect_equal<double>(l_shape, pole.x, pole.y, 4e-15);
 }
 
 TEST(EdgeSum, HoldsAHairsBreadthOffAnEdge) {
@@ -164,7 +167,8 @@ TEST(EdgeLogarithm, EqualsADifferenceOfInverseHyperbolicSines) {
         const double d0 = std::hypot(t0, h), d1 = std::hypot(t1, h);
         const double L = edge_logarithm(t0, d0, t1, d1, h * h);
         // The argument is good to a few units; where it is close to 1 its logarithm is good to as much absolutely.
-        EXPECT_NEAR(L, static_cast<double>(exact), 8 * 0x1p-53 * std::max(1.0, std::fabs(L))) << t0 << ' ' << length << ' ' << h;
+        EXPECT_NEAR(L, static_cast<double>(exact), 8 * 0x1p-53 * std::max(1.0, std::fabs(L)))
+            << t0 << ' ' << length << ' ' << h;
       }
     }
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <patchgrip/tests/friction/hessian.h>
 #include <patchgrip/tests/friction/polygon_reference.h>
@@ -28,7 +28,8 @@ const std::vector<Shape> shapes = {
     {"square", {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}},
     {"l_shape", {{{-0.75, -0.75}, {1.25, -0.75}, {1.25, -0.25}, {-0.25, -0.25}, {-0.25, 1.25}, {-0.75, 1.25}}}},
     {"slender", {{{-3, -1.0625}, {3, 0.9375}, {3, 1.0625}, {-3, -0.9375}}}},
-    {"frame", {{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}}, {{-0.75, -0.25}, {-0.75, 0.375}, {0.75, 0.375}, {0.75, -0.25}}}},
+    {"frame",
+     {{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}}, {{-0.75, -0.25}, {-0.75, 0.375}, {0.75, 0.375}, {0.75, -0.25}}}},
 };
 
 std::vector<BoundarySample> samples(const Rings& rings, long double area) {
@@ -137,7 +138,9 @@ TEST(FarField, SpinCurvatureOfATranslationIsTheSecondMomentAlongIt) {
 TEST(FarField, HessianEqualsDifferencesOfTheExactGradient) {
   for (const Shape& shape : shapes) {
     const Far far(shape);
-    const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) { return far.exact.gradient(vx, vy, w); };
+    const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) {
+      return far.exact.gradient(vx, vy, w);
+    };
     for (const double A : {1 / 6.0, -0.05, 1e-4, 0.0}) {
       for (const double phi : {0.32175, 2.5}) {
         const Twist v = far.twist(A, phi);

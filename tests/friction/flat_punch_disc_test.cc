@@ -43,14 +43,14 @@ TEST(FlatPunchDisc, TheOuterBranchLeavesTheInnerOneLikeThePowerThreeHalves) {
   const FlatPunchDisc disc = FlatPunchDisc::of_radius(1);
   for (const double away : {1e-6, 1e-4, 1e-2}) {
     const double difference = disc.gradient(twist_about({0, 1 + away}, 1)).fx - pi / 4 * (1 + away);
-    EXPECT_NEAR(difference / (-2 * std::sqrt(2.0) / 3 * std::pow(away, 1.5)), 1, 2 * away + 1e-15 / std::pow(away, 1.5));
+    EXPECT_NEAR(difference / (-2 * std::sqrt(2.0) / 3 * std::pow(away, 1.5)), 1,
+                2 * away + 1e-15 / std::pow(away, 1.5));
   }
 }
 
 TEST(FlatPunchDisc, FarAwayTheMomentIsAThirdOfRadiusOverDistance) {
   EXPECT_NEAR(FlatPunchDisc::of_radius(1).gradient(twist_about({0, 1e8}, 1)).m / 1e-8, 1.0 / 3, tolerance);
 }
-
 
 TEST(FlatPunchDisc, IsCentredWithThePolarMomentOfItsPressure) {
   const PressureMoments s = FlatPunchDisc::of_radius(3).moments();

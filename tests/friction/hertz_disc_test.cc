@@ -40,7 +40,8 @@ TEST(HertzDisc, TheOuterBranchLeavesTheInnerOneLikeThePowerFiveHalves) {
     const double x = 1 + away;
     const double inner = 3 * pi / 8 * (x - x * x * x / 4);
     const double outer = disc.gradient(twist_about({0, x}, 1)).fx;
-    EXPECT_NEAR((outer - inner) / (0.8 * std::sqrt(2.0) * std::pow(away, 2.5)), 1, 2 * away + 1e-15 / std::pow(away, 2.5));
+    EXPECT_NEAR((outer - inner) / (0.8 * std::sqrt(2.0) * std::pow(away, 2.5)), 1,
+                2 * away + 1e-15 / std::pow(away, 2.5));
   }
 }
 
@@ -71,7 +72,6 @@ TEST(HertzDisc, LimitCurveIsTheAlgebraicOneWhileThePoleIsInside) {
     EXPECT_NEAR(g.fx * g.fx, pi * pi / 48 * (1 - q) * (2 + q) * (2 + q), 1e-14) << x;
   }
 }
-
 
 TEST(HertzDisc, IsCentredWithThePolarMomentOfItsPressure) {
   const PressureMoments s = HertzDisc::of_radius(3).moments();

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/ellint_rg.hpp>
 #include <boost/math/special_functions/gamma.hpp>
-#include <gtest/gtest.h>
 
 #include <patchgrip/tests/friction/round_reference.h>
 
@@ -99,13 +99,15 @@ TEST(Hypergeometric, ObeysGausssContiguousRelation) {
   for (const double a : {-0.3, -1.7, -7.3}) {
     for (const double c : {2.0, 3.4}) {
       const double b = 0.5;
-      const Hypergeometric<Real50> below(Real50(a) - 1, b, c, levels), f(a, b, c, levels), above(Real50(a) + 1, b, c, levels);
+      const Hypergeometric<Real50> below(Real50(a) - 1, b, c, levels), f(a, b, c, levels),
+          above(Real50(a) + 1, b, c, levels);
       for (const double w : complements()) {
         const Real50 z = 1 - Real50(w);
         const Real50 first = (Real50(c) - a) * below.at_complement(w);
         const Real50 second = (2 * Real50(a) - c + (Real50(b) - a) * z) * f.at_complement(w);
         const Real50 third = -Real50(a) * w * above.at_complement(w);
-        EXPECT_LT(abs(first + second + third), 1e-46 * (abs(first) + abs(second) + abs(third))) << a << ' ' << c << ' ' << w;
+        EXPECT_LT(abs(first + second + third), 1e-46 * (abs(first) + abs(second) + abs(third)))
+            << a << ' ' << c << ' ' << w;
       }
     }
   }
@@ -142,10 +144,12 @@ TEST_P(HypergeometricOfThePowerFamily, IsGoodToAFewUnitsOfLongDouble) {
   EXPECT_LT(worst, n > 10 ? 1500 : 25);
 }
 
-INSTANTIATE_TEST_SUITE_P(, HypergeometricOfThePowerFamily, ::testing::Values(-0.5, -0.49, -0.3, 0, 0.25, 0.5, 1, 2, 3, 7.3, 20),
+INSTANTIATE_TEST_SUITE_P(, HypergeometricOfThePowerFamily,
+                         ::testing::Values(-0.5, -0.49, -0.3, 0, 0.25, 0.5, 1, 2, 3, 7.3, 20),
                          [](const auto& instance) {
                            std::string name = "n_" + std::to_string(instance.param);
-                           std::replace_if(name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+                           std::replace_if(
+                               name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
                            return name;
                          });
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
@@ -180,15 +180,18 @@ TEST(Law, BoundsHoldAgainstFiftyDigits) {
   const auto log_uniform = [&](double lo, double hi) { return lo * std::pow(hi / lo, unit(engine)); };
   for (int i = 0; i < 400; ++i) {
     const double radius = log_uniform(1e-4, 1);
-    const double x = i % 2 == 0 ? 0 : radius * (unit(engine) - 0.5) * 40, y = i % 2 == 0 ? 0 : radius * (unit(engine) - 0.5) * 40;
+    const double x = i % 2 == 0 ? 0 : radius * (unit(engine) - 0.5) * 40,
+                 y = i % 2 == 0 ? 0 : radius * (unit(engine) - 0.5) * 40;
     const double r = radius * log_uniform(1e-3, 1e4), angle = 2 * std::numbers::pi * unit(engine);
-    const Twist v = twist_about({x + r * std::cos(angle), y + r * std::sin(angle)}, (i % 3 == 0 ? -1 : 1) * log_uniform(1e-2, 1e2));
+    const Twist v =
+        twist_about({x + r * std::cos(angle), y + r * std::sin(angle)}, (i % 3 == 0 ? -1 : 1) * log_uniform(1e-2, 1e2));
     const double mu_s = 2 * unit(engine), mu_k = 2 * unit(engine), v_S = log_uniform(1e-3, 10);
     const double mu_V = i % 4 == 0 ? 0 : log_uniform(1e-3, 10), F = log_uniform(1e-3, 1e3);
     const Law law = Law::stribeck(mu_s, mu_k, v_S).with_viscous(mu_V);
     const BoundedWrench t = friction_wrench(law, F, Placed(FlatPunchDisc::of_radius(radius), x, y), v);
 
-    const Real50 cx = v.vx - Real50(v.w) * y, cy = v.vy + Real50(v.w) * x, w = v.w, polar = 2 * Real50(radius) * radius / 3;
+    const Real50 cx = v.vx - Real50(v.w) * y, cy = v.vy + Real50(v.w) * x, w = v.w,
+                 polar = 2 * Real50(radius) * radius / 3;
     const Wrench50 g = round_wrench(family, radius, cx, cy, w);
     const Real50 mu = mu_k + (Real50(mu_s) - mu_k) * exp(-(cx * cx + cy * cy + w * w * polar) / (Real50(v_S) * v_S));
     const Real50 fx = -F * (mu * g.fx + mu_V * cx), fy = -F * (mu * g.fy + mu_V * cy);
@@ -207,11 +210,15 @@ TEST(Law, BoundsHoldAgainstFiftyDigits) {
 TEST(Law, ParametersOutsideTheirDomainAreRefused) {
   EXPECT_THAT([] { Law::coulomb(-0.1); }, refused("mu = -0.1 is not allowed: must be non-negative and finite"));
   EXPECT_THAT([] { Law::coulomb(nan); }, refused("mu = nan is not allowed: must be non-negative and finite"));
-  EXPECT_THAT([] { Law::stribeck(-1, 0.5, 0.1); }, refused("mu_static = -1 is not allowed: must be non-negative and finite"));
-  EXPECT_THAT([] { Law::stribeck(1, infinity, 0.1); }, refused("mu_kinetic = inf is not allowed: must be non-negative and finite"));
-  EXPECT_THAT([] { Law::stribeck(1, 0.5, 0); }, refused("stribeck_velocity = 0 is not allowed: must be positive and finite"));
+  EXPECT_THAT([] { Law::stribeck(-1, 0.5, 0.1); },
+              refused("mu_static = -1 is not allowed: must be non-negative and finite"));
+  EXPECT_THAT([] { Law::stribeck(1, infinity, 0.1); },
+              refused("mu_kinetic = inf is not allowed: must be non-negative and finite"));
+  EXPECT_THAT([] { Law::stribeck(1, 0.5, 0); },
+              refused("stribeck_velocity = 0 is not allowed: must be positive and finite"));
   EXPECT_THAT([] { Law::viscous(-2); }, refused("mu_viscous = -2 is not allowed: must be non-negative and finite"));
-  EXPECT_THAT([] { Law::coulomb(1).with_viscous(nan); }, refused("mu_viscous = nan is not allowed: must be non-negative and finite"));
+  EXPECT_THAT([] { Law::coulomb(1).with_viscous(nan); },
+              refused("mu_viscous = nan is not allowed: must be non-negative and finite"));
   EXPECT_NO_THROW(Law::coulomb(0));
   EXPECT_NO_THROW(Law::stribeck(0, 0, 1e-300));
 }

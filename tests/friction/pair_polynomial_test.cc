@@ -36,7 +36,9 @@ void for_all_sizes(std::index_sequence<I...>) {
   (expect_both_lanes_equal_horner<I + 1>(), ...);
 }
 
-TEST(PairPolynomial, EqualsHornersRuleInBothLanesForEveryNumberOfTerms) { for_all_sizes(std::make_index_sequence<32>()); }
+TEST(PairPolynomial, EqualsHornersRuleInBothLanesForEveryNumberOfTerms) {
+  for_all_sizes(std::make_index_sequence<32>());
+}
 
 }  // namespace
 }  // namespace patchgrip::friction::kernels

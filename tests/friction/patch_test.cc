@@ -19,8 +19,9 @@ namespace {
 template <class P>
 class EveryPatch : public ::testing::Test {};
 
-using Types = ::testing::Types<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, SeedHertzDisc, Polygon,
-                               Rectangle, Placed<HertzDisc>, Placed<Ring>, Placed<Polygon>, Placed<Placed<Rectangle>>>;
+using Types =
+    ::testing::Types<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, SeedHertzDisc, Polygon,
+                     Rectangle, Placed<HertzDisc>, Placed<Ring>, Placed<Polygon>, Placed<Placed<Rectangle>>>;
 TYPED_TEST_SUITE(EveryPatch, Types);
 
 TYPED_TEST(EveryPatch, ModelsTheConceptAndIsAValue) {

@@ -39,7 +39,9 @@ auto shifted(const Gradient& gradient, double x, double y) {
 }
 
 auto disc_gradient(const PowerFamily<Real50>& family, double radius) {
-  return [&family, radius](const Real50& vx, const Real50& vy, const Real50& w) { return round_wrench(family, radius, vx, vy, w); };
+  return [&family, radius](const Real50& vx, const Real50& vy, const Real50& w) {
+    return round_wrench(family, radius, vx, vy, w);
+  };
 }
 
 template <class P, class Gradient>
@@ -67,7 +69,8 @@ void expect_disc_within_bounds(double n) {
     const double radius = std::pow(10, -3 * unit(engine));
     const double x = radius * std::pow(10, 4 * unit(engine) - 2), y = -radius * 100 * unit(engine);
     const double angle = 2 * std::numbers::pi * unit(engine);
-    const double r = radius * (i % 3 == 0 ? 1 + (i % 2 == 0 ? 1 : -1) * std::pow(10, -16 * unit(engine)) : std::pow(10, 6 * unit(engine) - 3));
+    const double r = radius * (i % 3 == 0 ? 1 + (i % 2 == 0 ? 1 : -1) * std::pow(10, -16 * unit(engine))
+                                          : std::pow(10, 6 * unit(engine) - 3));
     const Twist v = twist_about({x + r * std::cos(angle), y + r * std::sin(angle)}, i % 2 == 0 ? 1 : -0.7);
     expect_within_bounds(Placed(P::of_radius(radius), x, y), shifted(disc_gradient(family, radius), x, y), v, 1e-14);
   }
@@ -78,7 +81,9 @@ TEST(Placed, RingIsWithinItsBounds) { expect_disc_within_bounds<Ring>(-0.5); }
 
 TEST(Placed, PolygonIsWithinItsBounds) {
   const PolygonReference reference(l_shape.rings());
-  const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) { return reference.gradient(vx, vy, w); };
+  const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) {
+    return reference.gradient(vx, vy, w);
+  };
   for (const Pole& pole : {Pole{0, 0}, Pole{3, -1}, Pole{0.2, 0.1}, Pole{2.25, -1.75}, Pole{-40, 7}, Pole{1e5, 1e6}}) {
     expect_within_bounds(Placed(l_shape.patch(), 3, -1), shifted(gradient, 3, -1), twist_about(pole, 1), 1e-13);
   }
@@ -116,7 +121,8 @@ TEST(Placed, HessianEqualsDifferencesOfTheExactGradient) {
   const PowerFamily<Real50> family(1);
   const Placed patch(HertzDisc::of_radius(0.5), 1.5, -2);
   const auto gradient = shifted(disc_gradient(family, 0.5), 1.5, -2);
-  for (const Twist& v : {twist_about({1.7, -1.9}, 1), twist_about({0, 0}, -2), twist_about({30, 10}, 1), Twist{1, 2, 0}}) {
+  for (const Twist& v :
+       {twist_about({1.7, -1.9}, 1), twist_about({0, 0}, -2), twist_about({30, 10}, 1), Twist{1, 2, 0}}) {
     const Hessian exact = hessian_by_differences(gradient, v, 2.5);
     EXPECT_LE(scaled_difference(patch.hessian(v), exact, v, 2.5), 4e-15 * scaled_size(exact, v, 2.5));
     EXPECT_LE(along_itself(patch.hessian(v), v, 2.5), 4e-15 * scaled_size(exact, v, 2.5));

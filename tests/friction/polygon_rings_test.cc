@@ -63,11 +63,11 @@ TEST(OrientedRings, KeepVerticesAsTheyAre) {
   }
 }
 
-TEST(OrientedRings, AllowVerticesWithinASide) {
-  EXPECT_NO_THROW(of({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}})());
-}
+TEST(OrientedRings, AllowVerticesWithinASide) { EXPECT_NO_THROW(of({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}})()); }
 
-TEST(OrientedRings, AllowSeveralDisjointHoles) { EXPECT_NO_THROW(of(square, {box(1, 1, 2, 2), box(3, 1, 3.5, 3), box(1, 3, 2, 3.5)})()); }
+TEST(OrientedRings, AllowSeveralDisjointHoles) {
+  EXPECT_NO_THROW(of(square, {box(1, 1, 2, 2), box(3, 1, 3.5, 3), box(1, 3, 2, 3.5)})());
+}
 
 TEST(OrientedRings, RefuseFewerThanThreeVertices) {
   EXPECT_THAT(of({}), refused("vertices has 0 vertices: a ring needs at least 3"));
@@ -76,14 +76,18 @@ TEST(OrientedRings, RefuseFewerThanThreeVertices) {
 }
 
 TEST(OrientedRings, RefuseCoordinatesThatAreNotFinite) {
-  EXPECT_THAT(of({{0, 0}, {1, nan}, {0, 1}}), refused("vertices vertex 1 = [1.000000, nan]: coordinates must be finite"));
-  EXPECT_THAT(of({{0, 0}, {1, 0}, {infinity, 1}}), refused("vertices vertex 2 = [inf, 1.000000]: coordinates must be finite"));
+  EXPECT_THAT(of({{0, 0}, {1, nan}, {0, 1}}),
+              refused("vertices vertex 1 = [1.000000, nan]: coordinates must be finite"));
+  EXPECT_THAT(of({{0, 0}, {1, 0}, {infinity, 1}}),
+              refused("vertices vertex 2 = [inf, 1.000000]: coordinates must be finite"));
   EXPECT_THROW(of(square, {{{1, 1}, {2, 1}, {-infinity, 2}}})(), std::invalid_argument);
 }
 
 TEST(OrientedRings, RefuseEdgesWithoutLength) {
-  EXPECT_THAT(of({{0, 0}, {1, 0}, {1, 0}, {0, 1}}), refused("vertices vertices 1 and 2 coincide: each edge must have a length"));
-  EXPECT_THAT(of({{0, 0}, {1, 0}, {0, 1}, {0, 0}}), refused("vertices vertices 3 and 0 coincide: each edge must have a length"));
+  EXPECT_THAT(of({{0, 0}, {1, 0}, {1, 0}, {0, 1}}),
+              refused("vertices vertices 1 and 2 coincide: each edge must have a length"));
+  EXPECT_THAT(of({{0, 0}, {1, 0}, {0, 1}, {0, 0}}),
+              refused("vertices vertices 3 and 0 coincide: each edge must have a length"));
 }
 
 TEST(OrientedRings, RefuseRingsThatCrossOrTouchThemselves) {
@@ -111,23 +115,24 @@ TEST(OrientedRings, AcceptAnAreaOfOneRounding) {
 
 TEST(OrientedRings, RefuseHolesThatLeaveOrTouchTheOuterRing) {
   const char* message = "holes[0] leaves or touches the outer ring: a hole must lie inside";
-  EXPECT_THAT(of(square, {box(5, 5, 6, 6)}), refused(message));       // outside
-  EXPECT_THAT(of(square, {box(3, 1, 5, 2)}), refused(message));       // across
-  EXPECT_THAT(of(square, {box(0, 1, 2, 2)}), refused(message));       // along a side
-  EXPECT_THAT(of(square, {{{0, 2}, {1, 1}, {1, 3}}}), refused(message));  // by a vertex on a side
+  EXPECT_THAT(of(square, {box(5, 5, 6, 6)}), refused(message));               // outside
+  EXPECT_THAT(of(square, {box(3, 1, 5, 2)}), refused(message));               // across
+  EXPECT_THAT(of(square, {box(0, 1, 2, 2)}), refused(message));               // along a side
+  EXPECT_THAT(of(square, {{{0, 2}, {1, 1}, {1, 3}}}), refused(message));      // by a vertex on a side
   EXPECT_THAT(of(square, {{{0, 0}, {1, 0.5}, {0.5, 1}}}), refused(message));  // by a common vertex
-  EXPECT_THAT(of(square, {box(-1, -1, 5, 5)}), refused(message));     // around
+  EXPECT_THAT(of(square, {box(-1, -1, 5, 5)}), refused(message));             // around
   EXPECT_THAT(of(square, {square}), refused(message));
 }
 
 TEST(OrientedRings, RefuseHolesThatMeet) {
   const char* message = "holes[1] meets holes[0]: holes must be disjoint";
-  EXPECT_THAT(of(square, {box(1, 1, 2, 2), box(1.5, 1.5, 3, 3)}), refused(message));      // overlap
-  EXPECT_THAT(of(square, {box(1, 1, 2, 2), box(2, 1, 3, 2)}), refused(message));          // common side
-  EXPECT_THAT(of(square, {box(1, 1, 2, 2), box(2, 2, 3, 3)}), refused(message));          // common vertex
-  EXPECT_THAT(of(square, {box(1, 1, 3, 3), box(1.5, 1.5, 2, 2)}), refused(message));      // one in the other
+  EXPECT_THAT(of(square, {box(1, 1, 2, 2), box(1.5, 1.5, 3, 3)}), refused(message));  // overlap
+  EXPECT_THAT(of(square, {box(1, 1, 2, 2), box(2, 1, 3, 2)}), refused(message));      // common side
+  EXPECT_THAT(of(square, {box(1, 1, 2, 2), box(2, 2, 3, 3)}), refused(message));      // common vertex
+  EXPECT_THAT(of(square, {box(1, 1, 3, 3), box(1.5, 1.5, 2, 2)}), refused(message));  // one in the other
   EXPECT_THAT(of(square, {box(1.5, 1.5, 2, 2), box(1, 1, 3, 3)}), refused(message));
-  EXPECT_THAT(of(square, {box(0.5, 0.5, 1, 1), box(1.5, 1.5, 2, 2), box(1.6, 1.6, 3, 3)}), refused("holes[2] meets holes[1]: holes must be disjoint"));
+  EXPECT_THAT(of(square, {box(0.5, 0.5, 1, 1), box(1.5, 1.5, 2, 2), box(1.6, 1.6, 3, 3)}),
+              refused("holes[2] meets holes[1]: holes must be disjoint"));
 }
 
 TEST(OrientedRings, RefuseAHoleThatCrossesItself) {

@@ -35,17 +35,20 @@ double radius_of(const Shape& shape, const PressureMoments& s) {
 
 std::vector<Twist> about(const Pole& pole) { return {twist_about(pole, 1), twist_about(pole, -0.3)}; }
 
-void append(std::vector<Twist>& twists, const std::vector<Twist>& more) { twists.insert(twists.end(), more.begin(), more.end()); }
+void append(std::vector<Twist>& twists, const std::vector<Twist>& more) {
+  twists.insert(twists.end(), more.begin(), more.end());
+}
 
 // Poles inside and around, on vertices, on edges, a hair's breadth beside them, and in line with them.
 std::vector<Twist> near_twists(const Shape& shape, const PressureMoments& s) {
   const double radius = radius_of(shape, s);
   std::vector<Twist> twists = about({s.x, s.y});
-  for (const double r : {1e-12, 0.1, 0.5, 0.8, 1.1, 1.9}) append(twists, about({s.x + r * radius * 0.6, s.y - r * radius * 0.8}));
+  for (const double r : {1e-12, 0.1, 0.5, 0.8, 1.1, 1.9})
+    append(twists, about({s.x + r * radius * 0.6, s.y - r * radius * 0.8}));
   std::vector<PointRing> rings = shape.holes;
   rings.push_back(shape.outer);
   for (const PointRing& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); i += ring.size() > 8 ? 5U : 1U) {
+    for (std::size_t i = 0; i<ring.size(); i += ring.size()> 8 ? 5U : 1U) {
       const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
       append(twists, about({p.x, p.y}));
       append(twists, about({p.x + 1e-13 * radius, p.y}));
@@ -84,7 +87,8 @@ class PolygonOf : public ::testing::TestWithParam<Shape> {
   bool within_aspect_100() const { return shape().name != "Slender1000"; }
 };
 
-INSTANTIATE_TEST_SUITE_P(, PolygonOf, ::testing::ValuesIn(all_shapes), [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(, PolygonOf, ::testing::ValuesIn(all_shapes),
+                         [](const auto& instance) { return instance.param.name; });
 
 TEST_P(PolygonOf, ForceAndMomentAreGoodToTheScaleOfThePatchAndWithinTheirBounds) {
   const Polygon patch = shape().patch();
@@ -131,7 +135,9 @@ TEST_P(PolygonOf, MomentOfAFarPoleIsRelativelyExact) {
   const auto m = given.moments();
   // The same shape with the origin close to its centroid; what rounding moves the vertices by does not matter.
   Shape centred = shape();
-  const auto centre = [&](PointRing& ring) { ring = moved(ring, -static_cast<double>(m[0]), -static_cast<double>(m[1])); };
+  const auto centre = [&](PointRing& ring) {
+    ring = moved(ring, -static_cast<double>(m[0]), -static_cast<double>(m[1]));
+  };
   centre(centred.outer);
   for (PointRing& hole : centred.holes) centre(hole);
   const Polygon patch = centred.patch();

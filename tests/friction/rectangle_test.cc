@@ -45,7 +45,9 @@ class Corners {
   Wrench50 gradient(const Twist& v) const { return gradient(v.vx, v.vy, v.w); }
 
  private:
-  static Real50 x_asinh(const Real50& x, const Real50& y) { return x == 0 ? Real50(0) : x * asinh(y / abs(x)); }  // x asinh(y / |x|)
+  static Real50 x_asinh(const Real50& x, const Real50& y) {
+    return x == 0 ? Real50(0) : x * asinh(y / abs(x));
+  }  // x asinh(y / |x|)
 
   double l_xi_, l_eta_;
 };
@@ -53,9 +55,10 @@ class Corners {
 std::vector<Twist> twists(double l_xi, double l_eta) {
   std::vector<Twist> result;
   const double half_xi = l_xi / 2, half_eta = l_eta / 2;
-  for (const Pole& pole : {Pole{0, 0}, Pole{half_xi, 0}, Pole{0, -half_eta}, Pole{half_xi, half_eta}, Pole{-half_xi, 0.3 * half_eta},
-                           Pole{1.5 * half_xi, half_eta}, Pole{half_xi * (1 + 1e-13), 0.1 * half_eta}, Pole{0.3 * half_xi, 0.8 * half_eta},
-                           Pole{l_xi, -l_eta}, Pole{3 * l_xi, 2 * l_eta}, Pole{-40 * l_xi, 30 * l_xi}, Pole{1e6 * l_xi, 1e5 * l_xi}}) {
+  for (const Pole& pole :
+       {Pole{0, 0}, Pole{half_xi, 0}, Pole{0, -half_eta}, Pole{half_xi, half_eta}, Pole{-half_xi, 0.3 * half_eta},
+        Pole{1.5 * half_xi, half_eta}, Pole{half_xi * (1 + 1e-13), 0.1 * half_eta}, Pole{0.3 * half_xi, 0.8 * half_eta},
+        Pole{l_xi, -l_eta}, Pole{3 * l_xi, 2 * l_eta}, Pole{-40 * l_xi, 30 * l_xi}, Pole{1e6 * l_xi, 1e5 * l_xi}}) {
     result.push_back(twist_about(pole, 1));
     result.push_back(twist_about(pole, -0.3));
   }
@@ -73,7 +76,7 @@ TEST(Rectangle, HasTheCornerSumsOfItsHeader) {
       const double moment = static_cast<double>(abs(g.value.m - e.m));
       EXPECT_LE(force, std::min(g.force_error, 1e-13)) << l_xi << ' ' << l_eta;
       EXPECT_LE(moment, std::min(g.moment_error, 1e-13 * patch.area_radius())) << l_xi << ' ' << l_eta;
-      const bool far = std::hypot(v.vx, v.vy) > std::fabs(v.w) * std::hypot(l_xi, l_eta);
+      const bool far = std::hypot(v.vx, v.vy) > 3 * std::fabs(v.w) * std::hypot(l_xi, l_eta);  // 6 radii
       if (far) {
         EXPECT_LE(moment, 1e-12 * static_cast<double>(abs(e.m))) << l_xi << ' ' << l_eta;
       }
@@ -121,7 +124,7 @@ TEST(Rectangle, OfExample48LosesForceAndGainsMomentAgainstAPoint) {
     EXPECT_NEAR(g.fx, 0.8652046470004173799544, 1e-15);
     EXPECT_NEAR(g.fy, 0, 1e-16);
     EXPECT_NEAR(g.m / L, 0.2903377951656492827193, 1e-15);
-    EXPECT_NEAR(100 * (1 - g.fx), 13.4795, 5e-5);                // percent less force than a point
+    EXPECT_NEAR(100 * (1 - g.fx), 13.4795, 5e-5);                  // percent less force than a point
     EXPECT_NEAR(100 * ((g.m + L * g.fx) / L - 1), 15.5542, 5e-5);  // percent more moment on the turntable
     EXPECT_NEAR(mean_square_speed(block.moments(), v) / (L * L), 17.0 / 12, 1e-15);
   }

@@ -76,7 +76,6 @@ TEST(Ring, WithThePoleOffTheRimByARoundingOfTheRadiusAloneIsToldFromIt) {
   EXPECT_GT(ring.hessian({speed, 0, 3}).xx, 1);
 }
 
-
 TEST(Ring, IsCentredWithThePolarMomentOfItsPressure) {
   const PressureMoments s = Ring::of_radius(3).moments();
   EXPECT_EQ(s.x, 0);

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/ellint_rg.hpp>
-#include <gtest/gtest.h>
 
 #include <patchgrip/tests/friction/round_reference.h>
 
@@ -36,27 +36,34 @@ struct Disc {
   const char* name;
   double n;
   std::function<Closed(const Real50& x)> inside;
-  std::function<Closed(const Real50& x, const Real50& u, const Real50& root, const Real50& arc)> outside;  // sqrt(x^2 - 1), asin u
+  std::function<Closed(const Real50& x, const Real50& u, const Real50& root, const Real50& arc)>
+      outside;  // sqrt(x^2 - 1), asin u
 };
 
 const std::vector<Disc> discs = {
     {"Hertz", 1,
      [](const Real50& x) {
-       return Closed{3 * pi / 8 * (x - x * x * x / 4), 3 * pi / 16 * (1 - x * x + 3 * x * x * x * x / 8), 3 * pi / 8 * (1 - 3 * x * x / 4)};
+       return Closed{3 * pi / 8 * (x - x * x * x / 4), 3 * pi / 16 * (1 - x * x + 3 * x * x * x * x / 8),
+                     3 * pi / 8 * (1 - 3 * x * x / 4)};
      },
      [](const Real50& x, const Real50& u, const Real50& root, const Real50& arc) {
        const Real50 x2 = x * x;
-       return Closed{3 * (x * (4 - x2) * arc + (x2 + 2) * root * u) / 16, 3 * ((8 - 8 * x2 + 3 * x2 * x2) * arc + (6 - 3 * x2) * root) / 64,
+       return Closed{3 * (x * (4 - x2) * arc + (x2 + 2) * root * u) / 16,
+                     3 * ((8 - 8 * x2 + 3 * x2 * x2) * arc + (6 - 3 * x2) * root) / 64,
                      3 * ((4 - 3 * x2) * arc + (3 - 2 * u * u) * root) / 16};
      }},
-    {"flat punch", 0, [](const Real50& x) { return Closed{pi * x / 4, pi / 4 * (1 - x * x / 2), pi / 4}; },
+    {"flat punch", 0,
+     [](const Real50& x) {
+       return Closed{pi * x / 4, pi / 4 * (1 - x * x / 2), pi / 4};
+     },
      [](const Real50& x, const Real50& u, const Real50& root, const Real50& arc) {
        return Closed{(x * arc + root * u) / 2, ((2 - x * x) * arc + root) / 4, (arc - u * u * root) / 2};
      }},
     {"uniform", 0.5,
      [](const Real50& x) {
        const Real50 y = (1 - x) * (1 + x);
-       return Closed{4 / (3 * pi * x) * ((1 + x * x) * E(y) - y * K(y)), 4 / (9 * pi) * ((4 - 2 * x * x) * E(y) - y * K(y)),
+       return Closed{4 / (3 * pi * x) * ((1 + x * x) * E(y) - y * K(y)),
+                     4 / (9 * pi) * ((4 - 2 * x * x) * E(y) - y * K(y)),
                      4 / (3 * pi * x * x) * ((2 * x * x - 1) * E(y) + y * K(y))};
      },
      [](const Real50& x, const Real50& u, const Real50&, const Real50&) {
@@ -148,9 +155,15 @@ TEST_P(OfExponent, EqualsTheRadonFormOfTheDistance) {
       const Real50 s = x * cos(t);
       return 1 - s * s;
     };
-    EXPECT_LT(error(g.force, 2 / B * integral([&](const Real50& t) -> Real50 { return pow(rest(t), n) * sin(t) * sin(t); })), 1e-29);
-    EXPECT_LT(error(g.moment, 1 / ((n + 1) * B) * integral([&](const Real50& t) -> Real50 { return pow(rest(t), n + 1); })), 1e-29);
-    EXPECT_LT(error(g.slope, 2 / B * integral([&](const Real50& t) -> Real50 { return pow(rest(t), n) * cos(t) * cos(t); })), 1e-29);
+    EXPECT_LT(
+        error(g.force, 2 / B * integral([&](const Real50& t) -> Real50 { return pow(rest(t), n) * sin(t) * sin(t); })),
+        1e-29);
+    EXPECT_LT(
+        error(g.moment, 1 / ((n + 1) * B) * integral([&](const Real50& t) -> Real50 { return pow(rest(t), n + 1); })),
+        1e-29);
+    EXPECT_LT(
+        error(g.slope, 2 / B * integral([&](const Real50& t) -> Real50 { return pow(rest(t), n) * cos(t) * cos(t); })),
+        1e-29);
   }
   for (const double u : {0.9, 0.4}) {
     const Values g = family.outside(1 - Real50(u));
@@ -160,9 +173,15 @@ TEST_P(OfExponent, EqualsTheRadonFormOfTheDistance) {
       return sqrt(1 - s * s);
     };
     const auto weight = [&](const Real50& t, int power) -> Real50 { return pow(sin(t), 2 * n + power); };
-    EXPECT_LT(error(g.force, 2 / B * integral([&](const Real50& t) -> Real50 { return weight(t, 1) * root(t); })), 1e-29);
-    EXPECT_LT(error(g.moment, 1 / ((n + 1) * B) * integral([&](const Real50& t) -> Real50 { return weight(t, 3) / root(t); })), 1e-29);
-    EXPECT_LT(error(g.slope, 2 / B * integral([&](const Real50& t) -> Real50 { return weight(t, 1) * cos(t) * cos(t) / root(t); })), 1e-29);
+    EXPECT_LT(error(g.force, 2 / B * integral([&](const Real50& t) -> Real50 { return weight(t, 1) * root(t); })),
+              1e-29);
+    EXPECT_LT(error(g.moment,
+                    1 / ((n + 1) * B) * integral([&](const Real50& t) -> Real50 { return weight(t, 3) / root(t); })),
+              1e-29);
+    EXPECT_LT(error(g.slope, 2 / B * integral([&](const Real50& t) -> Real50 {
+                               return weight(t, 1) * cos(t) * cos(t) / root(t);
+                             })),
+              1e-29);
   }
 }
 
@@ -217,7 +236,8 @@ TEST_P(OfExponent, DiscsAreStacksOfRings) {
   const PowerFamily<long double> ring(-0.5L);
   boost::math::quadrature::tanh_sinh<long double> quadrature;
   for (const long double x : {0.3L, 0.8L, 1.25L, 4.0L}) {
-    const auto at = [x](const PowerFamily<long double>& source, long double r) {  // {force, moment} of a disc of radius r
+    const auto at = [x](const PowerFamily<long double>& source,
+                        long double r) {  // {force, moment} of a disc of radius r
       if (x <= r) {
         const auto g = source.inside((r - x) / r);
         return std::pair{g.force * x / r, g.moment * r};
@@ -227,7 +247,9 @@ TEST_P(OfExponent, DiscsAreStacksOfRings) {
     };
     const long double split = x < 1 ? std::pow((1 - x) * (1 + x), n + 0.5L) : 0.5L;
     const auto stacked = [&](auto member) {
-      const auto integrand = [&](long double q) { return at(ring, std::sqrt(1 - std::pow(q, 1 / (n + 0.5L)))).*member; };
+      const auto integrand = [&](long double q) {
+        return at(ring, std::sqrt(1 - std::pow(q, 1 / (n + 0.5L)))).*member;
+      };
       return quadrature.integrate(integrand, 0.0L, split) + quadrature.integrate(integrand, split, 1.0L);
     };
     const auto disc = at(family, 1);

@@ -42,8 +42,10 @@ struct Disc {
 
 template <class P>
 Disc functions(P patch) {
-  return {[patch](const Twist& v) { return patch.dissipation(v); }, [patch](const Twist& v) { return patch.gradient(v); },
-          [patch](const Twist& v) { return patch.bounded_gradient(v); }, [patch](const Twist& v) { return patch.hessian(v); }};
+  return {[patch](const Twist& v) { return patch.dissipation(v); },
+          [patch](const Twist& v) { return patch.gradient(v); },
+          [patch](const Twist& v) { return patch.bounded_gradient(v); },
+          [patch](const Twist& v) { return patch.hessian(v); }};
 }
 
 struct Kind {
@@ -64,11 +66,16 @@ Kind power_disc(const char* name, double n) {
 }
 
 const std::vector<Kind> kinds = {
-    named<HertzDisc>("HertzDisc", 1),     named<FlatPunchDisc>("FlatPunchDisc", 0),
-    named<UniformDisc>("UniformDisc", 0.5), named<Ring>("Ring", -0.5),
-    power_disc("PowerMinus049", -0.49),   power_disc("PowerMinus03", -0.3),
-    power_disc("Power025", 0.25),         power_disc("Power2", 2),
-    power_disc("Power3", 3),              power_disc("Power73", 7.3),
+    named<HertzDisc>("HertzDisc", 1),
+    named<FlatPunchDisc>("FlatPunchDisc", 0),
+    named<UniformDisc>("UniformDisc", 0.5),
+    named<Ring>("Ring", -0.5),
+    power_disc("PowerMinus049", -0.49),
+    power_disc("PowerMinus03", -0.3),
+    power_disc("Power025", 0.25),
+    power_disc("Power2", 2),
+    power_disc("Power3", 3),
+    power_disc("Power73", 7.3),
     power_disc("Power20", 20),
 };
 
@@ -76,7 +83,8 @@ const std::vector<double> radii{1, 0.0037, 1e-6, 1e3};
 
 // r_M / a of interest: centre, rim from both sides in steps of rounding, where rows and rules change, far away.
 std::vector<double> pole_distances() {
-  std::vector<double> x{0, 1e-300, 1e-150, 1e-12, 1e-5, 0.1, 0.25, 0.5, 0.7, 0.99, 1, 1.01, 1.5, 2, 10, 1e3, 1e8, 1e150, 1e300, infinity};
+  std::vector<double> x{0, 1e-300, 1e-150, 1e-12, 1e-5, 0.1, 0.25, 0.5,   0.7,   0.99,
+                        1, 1.01,   1.5,    2,     10,   1e3, 1e8,  1e150, 1e300, infinity};
   for (const double away : {1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.0078, 0.0079}) {
     x.push_back(1 - away);
     x.push_back(1 + away);
@@ -97,7 +105,8 @@ std::vector<Twist> twists(double radius, double x) {
   for (const double angle : {0.0, 2.2}) {
     for (const double spin : {1.0, -0.3}) {
       const double c = std::cos(angle), s = std::sin(angle);
-      result.push_back(x == infinity ? Twist{s, -c, std::copysign(0.0, spin)} : twist_about({radius * x * c, radius * x * s}, spin));
+      result.push_back(x == infinity ? Twist{s, -c, std::copysign(0.0, spin)}
+                                     : twist_about({radius * x * c, radius * x * s}, spin));
     }
   }
   return result;
@@ -122,7 +131,8 @@ class RoundPatchOf : public ::testing::TestWithParam<Kind> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(, RoundPatchOf, ::testing::ValuesIn(kinds), [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(, RoundPatchOf, ::testing::ValuesIn(kinds),
+                         [](const auto& instance) { return instance.param.name; });
 
 TEST_P(RoundPatchOf, ForceAndMomentAreGoodToEightUnitsAtEveryPole) {
   double worst_force = 0, worst_moment = 0;
@@ -209,7 +219,8 @@ TEST_P(RoundPatchOf, SpeedScalesTheDissipationAndNothingElse) {
         EXPECT_TRUE(s.fx == g.fx && s.fy == g.fy && s.m == g.m) << x << " scaled by 2^" << e;
         EXPECT_EQ(disc.dissipation(scaled), k * D) << x << " scaled by 2^" << e;
         if (h.xx == 0 && h.yy == 0) continue;
-        EXPECT_LE(scaled_difference(disc.hessian(scaled), {h.xx / k, h.xy / k, h.xw / k, h.yy / k, h.yw / k, h.ww / k}, scaled, radius),
+        EXPECT_LE(scaled_difference(disc.hessian(scaled), {h.xx / k, h.xy / k, h.xw / k, h.yy / k, h.yw / k, h.ww / k},
+                                    scaled, radius),
                   0);
       }
       for (const double k : {1e-200, 1e200}) {
@@ -255,7 +266,9 @@ TEST_P(RoundPatchOf, NotANumberComesOutWhereItGoesIn) {
 TEST_P(RoundPatchOf, HessianEqualsDifferencesOfTheExactGradient) {
   for (const double radius : {1.0, 0.0037}) {
     const Disc disc = GetParam().of_radius(radius);
-    const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) { return round_wrench(exact(), radius, vx, vy, w); };
+    const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) {
+      return round_wrench(exact(), radius, vx, vy, w);
+    };
     for (const double x : {0.0, 1e-12, 0.1, 0.5, 0.99, 1.01, 1.5, 20.0, 1e3, 1e8, infinity}) {
       for (const Twist& v : twists(radius, x)) {
         const Hessian h = hessian_by_differences(gradient, v, radius);
@@ -274,7 +287,8 @@ TEST_P(RoundPatchOf, HessianHoldsUpToTheRim) {
       const Twist v = twist_about({0, radius * x}, 1);  // vx = radius x
       const Real50 V = v.vx;
       const Real50 W = radius;
-      const Real50 slope = V <= W ? exact().inside((W - V) / W).slope : exact().outside((V - W) / V).slope * W * W * W / (V * V * V);
+      const Real50 slope =
+          V <= W ? exact().inside((W - V) / W).slope : exact().outside((V - W) / V).slope * W * W * W / (V * V * V);
       // In the direction of v the second derivative is f' / W.
       EXPECT_LE(units_of_rounding(disc.hessian(v).xx, slope / W), 16) << x;
     }

@@ -41,12 +41,13 @@ struct Maxima {
 Maxima scan() {
   Maxima most;
   const auto include = [](Deviation& all, const Deviation& d) {
-    all = {std::max(all.force, d.force), std::max(all.moment, d.moment), std::max(all.relative_moment, d.relative_moment)};
+    all = {std::max(all.force, d.force), std::max(all.moment, d.moment),
+           std::max(all.relative_moment, d.relative_moment)};
   };
   constexpr int steps = 100000;
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    include(most.inside, deviation(twist_about({0, t}, 1)));  // x from 0 to 1
+    include(most.inside, deviation(twist_about({0, t}, 1)));               // x from 0 to 1
     if (i > 0) include(most.outside, deviation({1, 0, t * (1 - 1e-15)}));  // u from 0 to 1
   }
   return most;
@@ -73,7 +74,8 @@ TEST(SeedHertzDisc, CarriesBoundsThatHoldAtEveryPoleAndSize) {
   const kernels::PowerFamily<Real50> exact(1);
   for (const double radius : {1.0, 0.0037, 200.0}) {
     const SeedHertzDisc disc = SeedHertzDisc::of_radius(radius);
-    for (const double x : {0.0, 1e-9, 0.3, 0.577, 0.8, 0.999, 1.0, 1 + 1e-12, 1.001, 1.05, 1.1485, 1.2, 1.5, 1.7, 1.8, 1.9, 2.0, 2.2, 5.0, 100.0, 1e8, infinity}) {
+    for (const double x : {0.0, 1e-9, 0.3, 0.577, 0.8, 0.999, 1.0, 1 + 1e-12, 1.001, 1.05, 1.1485,
+                           1.2, 1.5,  1.7, 1.8,   1.9, 2.0,   2.2, 5.0,       100.0, 1e8,  infinity}) {
       const Twist v = x == infinity ? Twist{0.6, -0.8, 0} : twist_about({radius * x * 0.28, radius * x * 0.96}, -3);
       const BoundedWrench g = disc.bounded_gradient(v);
       const Wrench50 e = round_wrench(exact, radius, v);

@@ -55,14 +55,30 @@ inline PointRing regular(int corners, double radius) {
 }
 
 // Dyadic coordinates: moving it by whole numbers is exact.
-inline const PointRing l_ring{{-0.75, -0.75}, {1.25, -0.75}, {1.25, -0.25}, {-0.25, -0.25}, {-0.25, 1.25}, {-0.75, 1.25}};
+inline const PointRing l_ring{{-0.75, -0.75}, {1.25, -0.75}, {1.25, -0.25},
+                              {-0.25, -0.25}, {-0.25, 1.25}, {-0.75, 1.25}};
 
 inline const Shape triangle{"Triangle", {{0, 0}, {0.03, 0.004}, {0.011, 0.021}}};
 inline const Shape square{"Square", box(-1, -1, 1, 1)};
 inline const Shape l_shape{"LShape", l_ring};
 inline const Shape frame{"Frame", box(-2, -1, 2, 1), {box(-1.875, -0.875, 0, 0.875), box(0.125, -0.875, 1.875, 0.875)}};
 inline const Shape comb{"Comb",
-                        {{0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {5, 1}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}};
+                        {{0, 0},
+                         {7, 0},
+                         {7, 3},
+                         {6, 3},
+                         {6, 1},
+                         {5, 1},
+                         {5, 3},
+                         {4, 3},
+                         {4, 1},
+                         {3, 1},
+                         {3, 3},
+                         {2, 3},
+                         {2, 1},
+                         {1, 1},
+                         {1, 3},
+                         {0, 3}}};
 inline const Shape many_sided{"ManySided", regular(24, 0.05)};
 inline const Shape slender_10{"Slender10", turned(box(-1, -0.1, 1, 0.1), 0.3)};
 inline const Shape slender_100{"Slender100", turned(box(-1, -0.01, 1, 0.01), 1.2)};
@@ -70,7 +86,7 @@ inline const Shape slender_1000{"Slender1000", turned(box(-1, -0.001, 1, 0.001),
 inline const Shape away{"Away", moved(l_ring, 1536, -1024)};  // 1e3 of its radii from the origin
 inline const Shape micrometre{"Micrometre", scaled(l_ring, 1e-6)};
 
-inline const std::vector<Shape> all_shapes{triangle,    square,      l_shape,      frame, comb,      many_sided,
+inline const std::vector<Shape> all_shapes{triangle,   square,      l_shape,      frame, comb,      many_sided,
                                            slender_10, slender_100, slender_1000, away,  micrometre};
 
 }  // namespace patchgrip::friction

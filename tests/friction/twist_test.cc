@@ -43,9 +43,7 @@ TEST(Power, OfAForceIsThatOfThePointItActsOn) {
   EXPECT_EQ(power(force_at_point, v), fx * point.x + fy * point.y);
 }
 
-TEST(Power, OfACoupleDependsOnTheSpinAlone) {
-  EXPECT_EQ(power({0, 0, 4}, {10, 20, 0.5}), 2);
-}
+TEST(Power, OfACoupleDependsOnTheSpinAlone) { EXPECT_EQ(power({0, 0, 4}, {10, 20, 0.5}), 2); }
 
 }  // namespace
 }  // namespace patchgrip::friction

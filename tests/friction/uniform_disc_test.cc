@@ -51,7 +51,6 @@ TEST(UniformDisc, FarAwayTheMomentIsAQuarterOfRadiusOverDistance) {
   EXPECT_NEAR(UniformDisc::of_radius(1).gradient(twist_about({0, 1e8}, 1)).m / 1e-8, 0.25, tolerance);
 }
 
-
 TEST(UniformDisc, IsCentredWithThePolarMomentOfItsPressure) {
   const PressureMoments s = UniformDisc::of_radius(3).moments();
   EXPECT_EQ(s.x, 0);

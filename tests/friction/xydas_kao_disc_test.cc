@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/uniform_disc.h>
@@ -36,13 +36,24 @@ double relative(const Real50& value, const Real50& exact) { return static_cast<d
 // The mean over rings of r p(r) with p as printed in (4.68), unnormalised: what a stack of discs can't share an error with.
 class FromThePressure {
  public:
-  explicit FromThePressure(long double alpha) : alpha_(alpha), ring_(-0.5L), load_(mean([](long double) { return 1.0L; }, 1)) {}
+  explicit FromThePressure(long double alpha)
+      : alpha_(alpha), ring_(-0.5L), load_(mean([](long double) { return 1.0L; }, 1)) {}
 
   long double force(long double x) const {
-    return mean([&](long double r) { return x <= r ? ring_.inside((r - x) / r).force * x / r : ring_.outside((x - r) / x).force; }, x) / load_;
+    return mean(
+               [&](long double r) {
+                 return x <= r ? ring_.inside((r - x) / r).force * x / r : ring_.outside((x - r) / x).force;
+               },
+               x) /
+           load_;
   }
   long double moment(long double x) const {
-    return mean([&](long double r) { return x <= r ? ring_.inside((r - x) / r).moment * r : ring_.outside((x - r) / x).moment * r * r / x; }, x) / load_;
+    return mean(
+               [&](long double r) {
+                 return x <= r ? ring_.inside((r - x) / r).moment * r : ring_.outside((x - r) / x).moment * r * r / x;
+               },
+               x) /
+           load_;
   }
   long double polar() const {
     return mean([](long double r) { return r * r; }, 1) / load_;
@@ -112,14 +123,17 @@ TEST_P(OfAlpha, PolarMomentIsThatOfThePressure) {
   EXPECT_EQ(s.y, 0);
   EXPECT_LT(relative(s.polar / 4, FromThePressure(alpha).polar()), 1e-14);
   // Far away the moment is half the polar moment over the distance.
-  EXPECT_NEAR(XydasKaoDisc::of_radius(2, alpha).gradient(twist_about({0, 1e9}, 1)).m * 1e9, s.polar / 2, 1e-14 * s.polar);
+  EXPECT_NEAR(XydasKaoDisc::of_radius(2, alpha).gradient(twist_about({0, 1e9}, 1)).m * 1e9, s.polar / 2,
+              1e-14 * s.polar);
 }
 
 TEST(XydasKaoDisc, HessianEqualsDifferencesOfTheExactGradient) {
   for (const double alpha : {0.5, 1.3, 50.0}) {
     const XydasKaoDisc disc = XydasKaoDisc::of_radius(1, alpha);
     const StackReference<Real30> reference(alpha);
-    const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) { return round_wrench(reference, 1, vx, vy, w); };
+    const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) {
+      return round_wrench(reference, 1, vx, vy, w);
+    };
     for (const double x : {0.4, 2.5}) {
       const Twist v = twist_about({0, x}, 1);
       // 30 digits in the gradient leave 1e-24 / step.
