@@ -153,7 +153,7 @@ struct Polygon::Data {
   }
 };
 
-Polygon Polygon::uniform(std::vector<Point> outer, std::vector<std::vector<Point>> holes) {
+Polygon Polygon::uniform(const std::vector<Point>& outer, const std::vector<std::vector<Point>>& holes) {
   const auto rings = oriented_rings(outer, holes);
   const AreaMoments m = area_moments(rings);
   auto data = std::make_shared<Data>();

@@ -33,7 +33,7 @@ struct Point {
 
 class Polygon {
  public:
-  static Polygon uniform(std::vector<Point> outer, std::vector<std::vector<Point>> holes = {});
+  static Polygon uniform(const std::vector<Point>& outer, const std::vector<std::vector<Point>>& holes = {});
 
   double dissipation(const Twist& v) const noexcept;
   Wrench gradient(const Twist& v) const noexcept;

@@ -31,7 +31,7 @@ std::vector<Real> monomials(const std::vector<Real>& chebyshev) {
 template <class Real>
 std::vector<Real> chebyshev_points(std::size_t n) {
   using std::cos;
-  const auto pi = boost::math::constants::pi<Real>();
+  const Real& pi = boost::math::constants::pi<Real>();
   std::vector<Real> points;
   for (std::size_t i = 0; i < n; ++i) points.push_back(cos(pi * Real(2 * i + 1) / Real(2 * n)));
   return points;
@@ -41,7 +41,7 @@ std::vector<Real> chebyshev_points(std::size_t n) {
 template <class Real>
 std::vector<Real> chebyshev_series(const std::vector<Real>& values) {
   using std::cos;
-  const auto pi = boost::math::constants::pi<Real>();
+  const Real& pi = boost::math::constants::pi<Real>();
   const std::size_t n = values.size();
   std::vector<Real> series(n);
   for (std::size_t j = 0; j < n; ++j) {

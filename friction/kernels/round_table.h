@@ -107,11 +107,13 @@ class RoundTable {
     // t = 8 (2^(k+1) d - 1 - q/4) - 1
     row.scale = std::ldexp(last ? 2.0 : 16.0, j / 4);
     row.shift = last ? 1 : 15 - 2 * (j % 4);
-    std::vector<RoundValues<Work>> values;
-    for (const Work& t : chebyshev_points<Work>(terms)) values.push_back(function((t + row.shift) / row.scale));
+    const std::vector<Work> points = chebyshev_points<Work>(terms);
+    std::vector<RoundValues<Work>> values(terms);
+    std::ranges::transform(points, values.begin(),
+                           [&](const Work& t) { return function((t + row.shift) / row.scale); });
     const auto coefficients = [&](auto member) {
-      std::vector<Work> samples;
-      for (const RoundValues<Work>& value : values) samples.push_back(value.*member);
+      std::vector<Work> samples(terms);
+      std::ranges::transform(values, samples.begin(), member);
       return monomials(chebyshev_series(samples));
     };
     const auto force = coefficients(&RoundValues<Work>::force);

@@ -3,8 +3,8 @@
 //     bounds [--cases N] [--seed S] [--kind NAME]
 //
 // Per kind and region (near: pole within two radii of the patch's centre; far: up to 1e8 radii) it prints how many bounds
-// were broken, the tightest, and the median slack (bound / error) for force and moment. Exit code 1 if any bound is broken or
-// a median slack is not below 100 near and 200 far.
+// were broken, the tightest, and the median slack (bound / error) for force and moment. Exit code 1 if any bound is
+// broken or a median slack is not below 100 near and 200 far.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -319,15 +319,30 @@ int main(int argc, char** argv) {
   long cases = 2000;
   unsigned seed = 1;
   std::string only;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--cases") == 0) cases = std::atol(argv[i + 1]);
-    if (std::strcmp(argv[i], "--seed") == 0) seed = static_cast<unsigned>(std::atol(argv[i + 1]));
-    if (std::strcmp(argv[i], "--kind") == 0) only = argv[i + 1];
+  for (int i = 1; i < argc; i += 2) {
+    const std::string option = argv[i];
+    const char* value = i + 1 < argc ? argv[i + 1] : "";
+    if (option == "--kind") {
+      only = value;
+    } else if (option == "--cases" && std::atol(value) > 0) {
+      cases = std::atol(value);
+    } else if (option == "--seed" && std::atol(value) > 0) {
+      seed = static_cast<unsigned>(std::atol(value));
+    } else {
+      std::fprintf(stderr, "bounds [--cases N] [--seed S] [--kind NAME]: '%s %s' is not one of these\n", argv[i],
+                   value);
+      return 2;
+    }
   }
-  bool good = true;
   std::printf("%ld cases a kind, seed %u\n", cases, seed);
+  bool good = true;
+  bool known = false;
   for (const Kind& kind : kinds()) {
-    if (only.empty() || kind.name == only) good = check(kind, cases, seed) && good;
+    if (!only.empty() && kind.name != only) continue;
+    known = true;
+    good = check(kind, cases, seed) && good;
   }
+  if (!known) std::fprintf(stderr, "bounds: there is no kind '%s'\n", only.c_str());
+  if (!known) return 2;
   return good ? 0 : 1;
 }

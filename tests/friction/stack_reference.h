@@ -24,7 +24,7 @@ class StackReference {
     const int per_unit = static_cast<int>(std::ceil(0.8 * digits));  // nodes per unit of t
     const Real step = Real(1) / per_unit;
     const double reach = std::asinh(digits * std::log(10) / std::acos(-1.0)) + 0.2;
-    const Real pi = boost::math::constants::pi<Real>();
+    const Real& pi = boost::math::constants::pi<Real>();
     for (int i = -static_cast<int>(reach * per_unit); i <= static_cast<int>(reach * per_unit); ++i) {
       const Real e = exp(step * i);
       const Real s = pi / 2 * (e - 1 / e);  // pi sinh t
