@@ -85,10 +85,10 @@ Shape read_polygon(TableObject& contact) {
     }
   }
   const auto build = [corners, hole_corners](Shape::Sizes sizes) -> PatchVariant {
-    std::vector<Point> outer = take_outline(sizes, corners);
+    const std::vector<Point> outer = take_outline(sizes, corners);
     std::vector<std::vector<Point>> holes(hole_corners.size());
     for (std::size_t i = 0; i < holes.size(); ++i) holes[i] = take_outline(sizes, hole_corners[i]);
-    return friction::Polygon::uniform(std::move(outer), std::move(holes));
+    return friction::Polygon::uniform(outer, holes);
   };
   return {.inputs = std::move(coordinates), .build = build, .corners = corners};
 }

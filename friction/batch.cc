@@ -30,7 +30,7 @@ void run(const Disc& disc, double spin, const PoleBatch& batch) {
 }  // namespace
 
 void PoleBatch::check(double spin) const {
-  if (!(spin != 0)) contact::refuse("spin", spin, "must not be zero: a translation has no pole in the plane");
+  if (!(std::fabs(spin) > 0)) contact::refuse("spin", spin, "must not be zero: a translation has no pole in the plane");
   const auto n = static_cast<double>(pole_x.size());
   for (const std::size_t size : {pole_y.size(), force_x.size(), force_y.size(), moment.size()}) {
     if (size != pole_x.size()) contact::refuse("length of pole_x", n, "must be that of the other spans");

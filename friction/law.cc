@@ -34,12 +34,14 @@ Bounded mean_square(const PressureMoments& s, const Twist& v) noexcept {
 
 Bounded bounded_coefficient(const Law& law, const PressureMoments& s, const Twist& v) noexcept {
   if (law.mu_static == law.mu_kinetic) return {law.mu_kinetic, 0};
-  const Bounded speed2 = mean_square(s, v);
-  const double v2 = law.stribeck_velocity * law.stribeck_velocity;
-  const double z = speed2.value / v2;
-  const double excess = (law.mu_static - law.mu_kinetic) * std::exp(-z);
+  // In units of v_S, whose square a double need not hold.
+  const double v_S = law.stribeck_velocity;
+  const Bounded z = mean_square(s, {v.vx / v_S, v.vy / v_S, v.w / v_S});
+  const double step = law.mu_static - law.mu_kinetic;
+  if (!(z.value < 700)) return {law.mu_kinetic, 1e-300 * std::fabs(step)};
+  const double excess = step * std::exp(-z.value);
   const double mu = law.mu_kinetic + excess;
-  return {mu, std::fabs(excess) * (speed2.error / v2 + unit * (3 * z + 4)) + unit * mu};
+  return {mu, std::fabs(excess) * (z.error + unit * (6 * z.value + 4)) + unit * mu};
 }
 
 }  // namespace

@@ -185,7 +185,8 @@ Polygon Polygon::uniform(const std::vector<Point>& outer, const std::vector<std:
   return Polygon(std::move(data));
 }
 
-double Polygon::dissipation(const Twist& v) const noexcept {
+double Polygon::dissipation(const Twist& twist) const noexcept {
+  const Twist v = finite_or_nan(twist);
   const Twist c = data_->at_centroid(v);
   switch (data_->way(c)) {
     case Data::Way::at_rest:
@@ -200,7 +201,8 @@ double Polygon::dissipation(const Twist& v) const noexcept {
   return std::fabs(v.w) * data_->sum<double, Want::gradient>(v).S / data_->area;
 }
 
-Wrench Polygon::gradient(const Twist& v) const noexcept {
+Wrench Polygon::gradient(const Twist& twist) const noexcept {
+  const Twist v = finite_or_nan(twist);
   const Data& data = *data_;
   const Twist c = data.at_centroid(v);
   BoundedWrench g;
@@ -220,7 +222,8 @@ Wrench Polygon::gradient(const Twist& v) const noexcept {
   return data.at_origin(g).value;
 }
 
-BoundedWrench Polygon::bounded_gradient(const Twist& v) const noexcept {
+BoundedWrench Polygon::bounded_gradient(const Twist& twist) const noexcept {
+  const Twist v = finite_or_nan(twist);
   const Data& data = *data_;
   const Twist c = data.at_centroid(v);
   switch (data.way(c)) {
@@ -236,7 +239,8 @@ BoundedWrench Polygon::bounded_gradient(const Twist& v) const noexcept {
   return data.at_origin(data.bounded_wrench(data.sum<double, Want::bound>(v), v, c, data.area));
 }
 
-Hessian Polygon::hessian(const Twist& v) const {
+Hessian Polygon::hessian(const Twist& twist) const {
+  const Twist v = finite_or_nan(twist);
   const Data& data = *data_;
   const Twist c = data.at_centroid(v);
   switch (data.way(c)) {

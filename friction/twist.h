@@ -15,6 +15,9 @@
 // Units    vx, vy [m/s], w [rad/s]; fx, fy [N], m [N m]; pole [m]. Per unit mu F_N a wrench is [1], [1], [m].
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 namespace patchgrip::friction {
 
 struct Twist {
@@ -38,6 +41,13 @@ struct Pole {
 constexpr Twist twist_about(const Pole& pole, double spin) noexcept { return {spin * pole.y, -spin * pole.x, spin}; }
 
 constexpr double power(const Wrench& t, const Twist& v) noexcept { return t.fx * v.vx + t.fy * v.vy + t.m * v.w; }
+
+// The same twist, or not-a-number in every component if one of them is not finite.
+inline Twist finite_or_nan(const Twist& v) noexcept {
+  if (std::isfinite(v.vx) && std::isfinite(v.vy) && std::isfinite(v.w)) return v;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan, nan};
+}
 
 // Second derivatives of a function of the twist in (vx, vy, w); symmetric.
 struct Hessian {

@@ -96,6 +96,7 @@ struct FarField::Slope {
   double Q;       // Q(xi)
   double g1, g2;  // grad Q
   double terms;   // e . grad Q with all its terms positive
+  double turn;    // bound of its derivative in the direction of e
 };
 
 FarField::Local FarField::local(const Twist& v) const noexcept {
@@ -110,7 +111,7 @@ FarField::Local FarField::local(const Twist& v) const noexcept {
   l.e2 = l.vx;
   // A^k < 1e-17 of the leading term of the moment, A^2.
   const double size = std::fabs(l.A);
-  l.last = size < 1e-9 ? 3 : std::min(degree, 3 + static_cast<int>(39.2 / -std::log(size)));
+  l.last = size > 1e-9 ? std::min(degree, 3 + static_cast<int>(39.2 / -std::log(size))) : 3;
   return l;
 }
 
@@ -120,7 +121,7 @@ FarField::Slope FarField::slope(const Local& l) const noexcept {
   p2[0] = 1;
   for (std::size_t i = 1; i < size_of(l.last); ++i) p2[i] = p2[i - 1] * l.e2;
   Pair G{0, 0};
-  double Q = 0, terms = 0;
+  double Q = 0, terms = 0, turn = 0;
   for (int k = l.last; k >= 1; --k) {
     const Pair* c = &derivatives_[derivative_start(k)];
     Pair form{0, 0};  // gradient of the form of degree k in (e_1, e_2)
@@ -135,9 +136,12 @@ FarField::Slope FarField::slope(const Local& l) const noexcept {
     // Horner's rule in A, smallest terms first; by Euler the form itself is e . gradient / k.
     G = G * l.A + form;
     Q = Q * l.A + (l.e1 * form[0] + l.e2 * form[1]) / k;
-    if constexpr (with_terms) terms = terms * std::fabs(l.A) + size;
+    if constexpr (with_terms) {
+      terms = terms * std::fabs(l.A) + size;
+      turn = turn * std::fabs(l.A) + k * std::fabs(l.e1 * form[1] - l.e2 * form[0]);
+    }
   }
-  return {1 + l.A * Q, G[0], G[1], terms};
+  return {1 + l.A * Q, G[0], G[1], terms, turn};
 }
 
 double FarField::dissipation(const Twist& v) const noexcept {
@@ -163,7 +167,8 @@ BoundedWrench FarField::bounded_gradient(const Twist& v) const noexcept {
   const Local l = local(v);
   const Slope s = slope<true>(l);
   const Wrench g = wrench(l, s);
-  return {g, 10 * unit, 8 * unit * (rho_ * s.terms + std::fabs(g.m))};
+  // Neither the velocity at c nor the axes are exact: e may be turned by some units, which a slender patch feels.
+  return {g, 10 * unit, unit * (8 * (rho_ * s.terms + std::fabs(g.m)) + 4 * rho_ * s.turn)};
 }
 
 Hessian FarField::hessian(const Twist& v) const noexcept {

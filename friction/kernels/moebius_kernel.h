@@ -7,6 +7,7 @@
 // V^2 - W^2 may lose its digits at the rim: f and m are smooth in R^2 there, their first odd power is R^5 (R^3).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -53,20 +54,22 @@ struct MoebiusKernel {
     }
     const double V = std::sqrt(t.V2);
     const double k = 1 / V;
-    const Pair g = polynomial(gradient_pairs, variable(t, V));
+    const Pair g = polynomial(gradient_pairs, variable(t.V2 - t.W2, V));
     return {k * g[0], t.W * k * g[1]};
   }
 
+  // Unlike f and m the slope may have a root of V^2 - W^2 in it: here that must not lose its digits.
   static double slope(const RoundTwist& t) noexcept {
     if (pole_inside(t)) return horner(Coefficients::slope_inside, t.V2 / t.W2);
-    return polynomial(Coefficients::slope, variable(t, std::sqrt(t.V2)));
+    const double R2 = std::max(rim_excess(t.vx, t.vy, t.w, t.radius), 0.0);
+    return polynomial(Coefficients::slope, variable(R2, std::sqrt(t.V2)));
   }
 
  private:
   static constexpr auto gradient_pairs = paired(Coefficients::force, Coefficients::moment);
 
-  static double variable(const RoundTwist& t, double V) noexcept {
-    const double R = std::sqrt(t.V2 - t.W2);
+  static double variable(double R2, double V) noexcept {
+    const double R = std::sqrt(R2);
     return (moebius_plus * R - V) / (moebius_minus * R + V);
   }
 };

@@ -39,7 +39,7 @@ struct RoundLevels {
 
 class RoundTable {
  public:
-  static constexpr std::size_t terms = 13;
+  static constexpr std::size_t terms = 14;
 
   template <class Work, class Source>
   static RoundTable build(const Source& source, const RoundLevels& levels) {
