@@ -9,7 +9,7 @@
 // n = 0 is the flat punch, 1/2 the uniform disc, 1 the Hertz disc; n -> -1/2 the ring. The table that evaluates them
 // (kernels/round_table.h) is made in the factory, in about a millisecond; copies share it.
 //
-// Domain   every pole; -1/2 < n <= 20. Beyond 20 the table would need more rows.
+// Domain   every pole; -1/2 < n <= 20, what the rows of the table resolve.
 // Units    a [m], n [1].
 // Error    <= 8 units of 2^-53 of force and of moment (round_patch.h).
 // Throws   std::invalid_argument outside the domain.

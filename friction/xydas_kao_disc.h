@@ -8,7 +8,7 @@
 //
 //     S(x) = int_0^1 R^3 S_uniform(x / R) dq / int_0^1 R^2 dq,   R(q) = (1 - q^alpha)^(1/alpha)
 //
-// It is integrated once, in the factory (some 50 ms), into the table that evaluates it (kernels/round_table.h); copies
+// It is integrated once, in the factory (some 0.1 s), into the table that evaluates it (kernels/round_table.h); copies
 // share it.
 //
 // Domain   every pole; 0.5 <= alpha <= 50.
