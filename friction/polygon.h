@@ -6,7 +6,7 @@
 // too, but far from the patch the moment is a small difference of large terms. So three ways of one accuracy:
 //
 //     r <  2 to 3 radii             edge sums in double (slender patches: less, or not at all)
-//     r <  6 radii                  edge sums in extended precision (64-bit mantissa)
+//     r <  6 radii                  edge sums in 64 bits, on the axis of slender patches in 113
 //     beyond, and translations      a polynomial in the inverse pole about the centroid (kernels/far_field.h)
 //
 // with r the distance of the pole from the centroid and the radius that of the farthest vertex.

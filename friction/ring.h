@@ -13,6 +13,7 @@
 // Error    <= 8 units of 2^-53 of force and of moment (round_patch.h).
 // Throws   std::invalid_argument unless the radius is positive and finite.
 // Fails    the Hessian is infinite with the pole on the ring: hessian() throws std::domain_error there.
+//          Within 2^-62 radii of it, which only an inexact a |w| can reach, it is good to 1e-4.
 #pragma once
 
 #include <patchgrip/friction/kernels/table_kernel.h>

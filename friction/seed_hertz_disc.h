@@ -10,8 +10,8 @@
 //     |m - m_exact| / a  = 0 (x <= 1),       <= 1.18e-3 (x >= 1)
 //
 // and |m - m_exact| <= 1.34e-2 of the exact moment far away, where the fit tends to (3 pi/16) 0.335 u instead of u/5. f
-// jumps by -4.6e-4 at the rim, so D and the wrench belong together to these errors only: dissipation() is v .
-// gradient(v).
+// and m were fitted apart, so f is not the slope of S: D and the wrench belong together to these errors only, and
+// dissipation() is v . gradient(v).
 //
 // Domain   every pole.
 // Units    a [m].

@@ -26,6 +26,7 @@ class XydasKaoStack {
 
   RoundValues<long double> inside(long double d) const;
   RoundValues<long double> outside(long double d) const;
+  long double rim_slope() const { return inside(0).slope; }
 
  private:
   struct Number {

@@ -13,7 +13,7 @@ int rim_levels(double edge) noexcept {
 }
 
 std::shared_ptr<const RoundTable> power_table(double n) {
-  const RoundLevels levels{rim_levels(n - 0.5), n > 2 ? 4 : 3, n == -0.5};
+  const RoundLevels levels{rim_levels(n - 0.5), n > 2 ? 4 : 3};
   return std::make_shared<const RoundTable>(RoundTable::build<long double>(PowerFamily<long double>(n), levels));
 }
 

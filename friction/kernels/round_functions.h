@@ -18,6 +18,9 @@
 // 1/2 uniform, 1 Hertz. f' is infinite at x = 1 for n = -1/2.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/beta.hpp>
 
@@ -55,6 +58,14 @@ class PowerFamily {
     const Real w = d * (2 - d);
     const Real twice_c = 2 * n_ + 3;
     return {force_out_.at_complement(w), moment_out_.at_complement(w) / twice_c, slope_out_.at_complement(w) / twice_c};
+  }
+
+  // f' at the rim: Gauss's theorem for 2F1(1/2, 3/2; c + 1; 1) / (2 c).
+  Real rim_slope() const {
+    using std::tgamma;
+    if (n_ <= -0.5) return std::numeric_limits<Real>::infinity();
+    const Real c = n_ + 3 * half();
+    return tgamma(c) * tgamma(c - 1) / (2 * tgamma(c + half()) * tgamma(c - half()));
   }
 
  private:

@@ -6,7 +6,7 @@
 // least like (9 + sqrt 80)^-degree whatever its kind; exponent and two leading bits of d pick the row. Close enough to
 // the rim that the singular part is below rounding one last row covers what is left. The same towards the centre, in x.
 //
-// Built once per pressure from `Source`, which has inside(d) and outside(d) in the scalar type Work.
+// Built once per pressure from `Source`, which has inside(d), outside(d) and rim_slope() in the scalar type Work.
 // Error   truncation < 1e-17 of the value; with the evaluation <= 4 units of rounding of double (round_patch_test.cc).
 #pragma once
 
@@ -15,7 +15,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include <patchgrip/friction/kernels/chebyshev.h>
@@ -32,9 +31,8 @@ inline double select(bool condition, double yes, double no) noexcept {
 }
 
 struct RoundLevels {
-  int rim;                      // the last row towards the rim covers d in [0, 2^-rim]
-  int centre;                   // the last row towards the centre covers x in [0, 2^-centre]
-  bool infinite_slope = false;  // f' at the rim
+  int rim;     // the last row towards the rim covers d in [0, 2^-rim]
+  int centre;  // the last row towards the centre covers x in [0, 2^-centre]
 };
 
 class RoundTable {
@@ -48,6 +46,7 @@ class RoundTable {
       for (int j = 0; j <= table.last_[zone]; ++j)
         table.rows_[index(table.first_[zone] + j)] = make_row<Work>(j, j == table.last_[zone], function);
     };
+    table.rim_slope_ = static_cast<double>(source.rim_slope());
     fill(inner, [&](const Work& d) { return source.inside(d); });
     fill(outer, [&](const Work& d) { return source.outside(d); });
     fill(central, [&](const Work& x) { return source.inside(1 - x); });
@@ -62,7 +61,7 @@ class RoundTable {
 
   // f' inside, f' / u^3 outside.
   double slope(bool inside, double d, double x) const noexcept {
-    if (d == 0 && infinite_slope_) return std::numeric_limits<double>::infinity();
+    if (d == 0) return rim_slope_;
     const auto [row, t] = find(inside, d, x);
     return polynomial(row.slope, t);
   }
@@ -85,7 +84,6 @@ class RoundTable {
   explicit RoundTable(const RoundLevels& levels)
       : last_{4 * levels.rim, 4 * levels.rim, 4 * levels.centre},
         first_{0, last_[inner] + 1, last_[inner] + last_[outer] + 2},
-        infinite_slope_(levels.infinite_slope),
         rows_(index(first_[central] + last_[central] + 1)) {}
 
   static std::size_t index(int k) noexcept { return static_cast<std::size_t>(k); }
@@ -128,7 +126,7 @@ class RoundTable {
 
   std::array<int, 3> last_;
   std::array<int, 3> first_;
-  bool infinite_slope_;
+  double rim_slope_ = 0;  // f' may have a root or a logarithm of d: no row reaches its limit
   std::vector<Row> rows_;
 };
 

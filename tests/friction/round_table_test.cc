@@ -90,10 +90,11 @@ TEST(Select, IsTheConditionalOperator) {
   EXPECT_EQ(select(false, std::nan(""), infinity), infinity);
 }
 
-// What a table is made from may be anything with inside() and outside().
+// What a table is made from may be anything with inside(), outside() and rim_slope().
 struct Polynomial {
   RoundValues<long double> inside(long double d) const { return {1 + d, d * d, 3}; }
   RoundValues<long double> outside(long double d) const { return {2 - d, 1 + d * d * d, d}; }
+  long double rim_slope() const { return 0; }
 };
 
 TEST(RoundTable, ReproducesPolynomialsToRounding) {
