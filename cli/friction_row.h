@@ -4,9 +4,9 @@
 // radius that follows from bodies, is part of it.
 #pragma once
 
-#include <patchgrip/cli/contact_reader.h>
 #include <patchgrip/cli/input_error.h>
-#include <patchgrip/cli/motions.h>
+#include <patchgrip/cli/scene/contact_reader.h>
+#include <patchgrip/cli/scene/motions.h>
 #include <patchgrip/friction/law.h>
 #include <patchgrip/friction/patch.h>
 

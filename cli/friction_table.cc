@@ -5,8 +5,8 @@
 #include <array>
 #include <charconv>
 
-#include <patchgrip/cli/friction_reader.h>
-#include <patchgrip/cli/scene_error.h>
+#include <patchgrip/cli/scene/friction_reader.h>
+#include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/version.h>
 
 namespace patchgrip::cli {

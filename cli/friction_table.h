@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include <patchgrip/cli/motions.h>
-#include <patchgrip/cli/scene.h>
+#include <patchgrip/cli/scene/motions.h>
+#include <patchgrip/cli/scene/scene.h>
 #include <patchgrip/friction/twist.h>
 
 namespace patchgrip::cli {

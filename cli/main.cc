@@ -20,13 +20,13 @@
 #include <system_error>
 #include <vector>
 
-#include <patchgrip/cli/accuracy.h>
+#include <patchgrip/cli/accuracy/accuracy.h>
 #include <patchgrip/cli/interrupt.h>
-#include <patchgrip/cli/materials.h>
-#include <patchgrip/cli/nearest_name.h>
 #include <patchgrip/cli/output_file.h>
-#include <patchgrip/cli/scene.h>
-#include <patchgrip/cli/scene_error.h>
+#include <patchgrip/cli/scene/materials.h>
+#include <patchgrip/cli/scene/nearest_name.h>
+#include <patchgrip/cli/scene/scene.h>
+#include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/cli/tabulate.h>
 #include <patchgrip/version.h>
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include <patchgrip/cli/interrupt.h>
-#include <patchgrip/cli/scene_error.h>
+#include <patchgrip/cli/scene/scene_error.h>
 
 namespace patchgrip::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <patchgrip/cli/friction_table.h>
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/progress.h>
-#include <patchgrip/cli/scene_error.h>
+#include <patchgrip/cli/scene/scene_error.h>
 
 namespace patchgrip::cli {
 namespace {

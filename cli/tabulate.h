@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <patchgrip/cli/output_file.h>
-#include <patchgrip/cli/scene.h>
+#include <patchgrip/cli/scene/scene.h>
 
 namespace patchgrip::cli {
 

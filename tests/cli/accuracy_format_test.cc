@@ -1,5 +1,5 @@
 // The format of reference tables: how they may be written, what is named, what is refused.
-#include <patchgrip/cli/accuracy.h>
+#include <patchgrip/cli/accuracy/accuracy.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <patchgrip/cli/accuracy_inputs.h>
+#include <patchgrip/cli/accuracy/inputs.h>
 
 #include <gtest/gtest.h>
 

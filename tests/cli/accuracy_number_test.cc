@@ -1,4 +1,4 @@
-#include <patchgrip/cli/accuracy_number.h>
+#include <patchgrip/cli/accuracy/number.h>
 
 #include <gtest/gtest.h>
 

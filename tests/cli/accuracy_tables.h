@@ -10,8 +10,8 @@
 #include <sstream>
 #include <string>
 
-#include <patchgrip/cli/accuracy.h>
-#include <patchgrip/cli/accuracy_value.h>
+#include <patchgrip/cli/accuracy/accuracy.h>
+#include <patchgrip/cli/accuracy/value.h>
 
 #include "scenes.h"
 

@@ -1,5 +1,5 @@
 // The comparison with reference tables: what passes and what fails.
-#include <patchgrip/cli/accuracy.h>
+#include <patchgrip/cli/accuracy/accuracy.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

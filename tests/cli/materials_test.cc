@@ -1,4 +1,4 @@
-#include <patchgrip/cli/materials.h>
+#include <patchgrip/cli/scene/materials.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

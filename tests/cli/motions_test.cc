@@ -1,4 +1,4 @@
-#include <patchgrip/cli/motions.h>
+#include <patchgrip/cli/scene/motions.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

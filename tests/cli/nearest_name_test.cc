@@ -1,4 +1,4 @@
-#include <patchgrip/cli/nearest_name.h>
+#include <patchgrip/cli/scene/nearest_name.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
 // Every line of every scene and of a material, mutated in many ways: a mutant is accepted, or refused with file and
 // line. Nothing else.
-#include <patchgrip/cli/scene.h>
+#include <patchgrip/cli/scene/scene.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include <patchgrip/cli/scene_error.h>
+#include <patchgrip/cli/scene/scene_error.h>
 
 #include "scenes.h"
 

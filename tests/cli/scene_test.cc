@@ -1,4 +1,4 @@
-#include <patchgrip/cli/scene.h>
+#include <patchgrip/cli/scene/scene.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include <patchgrip/cli/scene_error.h>
+#include <patchgrip/cli/scene/scene_error.h>
 
 #include "scenes.h"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include <patchgrip/cli/materials.h>
-#include <patchgrip/cli/scene.h>
+#include <patchgrip/cli/scene/materials.h>
+#include <patchgrip/cli/scene/scene.h>
 
 namespace patchgrip::cli::test {
 

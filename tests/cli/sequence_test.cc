@@ -1,4 +1,4 @@
-#include <patchgrip/cli/sequence.h>
+#include <patchgrip/cli/scene/sequence.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

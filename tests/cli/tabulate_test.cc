@@ -18,7 +18,7 @@
 #include <vector>
 
 #include <patchgrip/cli/interrupt.h>
-#include <patchgrip/cli/scene_error.h>
+#include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/friction/hertz_disc.h>
 
 #include "scenes.h"

@@ -1,0 +1,57 @@
+// The sections of reference tables that the library covers, each with its comparison.
+#pragma once
+
+#include <string_view>
+
+#include <patchgrip/cli/accuracy/node.h>
+#include <patchgrip/cli/accuracy/report.h>
+#include <patchgrip/cli/accuracy/table_contact.h>
+
+namespace patchgrip::cli {
+
+// Compares every section of a table. Throws TableError.
+void compare_table(const TableNode& table, AccuracyReport& report);
+
+void compare_contact_entries(const TableNode& section, AccuracyReport& report);
+void compare_wrench_integrals(const TableNode& section, AccuracyReport& report);
+void compare_hessian_S(const TableNode& section, AccuracyReport& report);
+void compare_hessian_D(const TableNode& section, AccuracyReport& report);
+void compare_limit_curve(const TableNode& section, AccuracyReport& report);
+void compare_viscous(const TableNode& section, AccuracyReport& report);
+void compare_local_stribeck(const TableNode& section, AccuracyReport& report);
+void compare_example_4_8(const TableNode& example, AccuracyReport& report);
+
+// Fields of `object` that no comparison asked for.
+void name_unread(const TableObject& object, std::string_view section, AccuracyReport& report);
+
+// The entry of a list, with its name in its place if it has one.
+TableNode named_entry(const TableNode& entry);
+
+// An entry about one contact.
+struct ContactEntry {
+  TableObject fields;
+  TableContact contact;
+};
+
+// Nothing where the contact is not covered.
+std::optional<ContactEntry> read_contact_entry(const TableNode& entry, std::string_view section,
+                                               AccuracyReport& report);
+
+// The pole (xi_M, eta_M) of a row, and a twist (v1, v2, omega).
+struct ExactPole {
+  static ExactPole read(TableObject& row);
+  friction::Twist twist(Inputs inputs) const;  // about the pole, with unit spin
+  bool is_exact() const;                       // as doubles
+
+  Exact xi, eta;
+};
+
+struct ExactTwist {
+  static ExactTwist read(const TableNode& node);
+  friction::Twist twist(Inputs inputs) const;
+  bool is_exact() const;
+
+  Exact v1, v2, omega;
+};
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,169 @@
+#include <patchgrip/cli/scene/contact_reader.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include <patchgrip/cli/scene/body_reader.h>
+#include <patchgrip/cli/scene/outline_reader.h>
+#include <patchgrip/contact/hertz_circle.h>
+
+namespace patchgrip::cli {
+namespace {
+
+constexpr Quantity radius_range = positive("a radius in m");
+constexpr Quantity exponent_range{"the exponent n of (1 - r^2/a^2)^(n - 1/2)", -0.5, 20, false, false, true};
+constexpr Quantity alpha_range{"the exponent alpha of (1 - (r/a)^alpha)^(1/alpha)", 0.5, 50};
+
+// Relative: 4 units of 2^-53 of its own, and a third of those of contact modulus (6) and relative radius (4).
+constexpr double hertz_radius_error = 8 * 0x1p-53;
+
+enum class Kind { hertz_disc, flat_punch_disc, uniform_disc, ring, power_disc, xydas_kao_disc, rectangle, polygon };
+constexpr std::array<std::string_view, 8> kind_names{"hertz_disc", "flat_punch_disc", "uniform_disc", "ring",
+                                                     "power_disc", "xydas_kao_disc",  "rectangle",    "polygon"};
+
+// What a factory refuses, told at the key that gave it the value.
+template <class F>
+auto made(const TomlReader& table, std::string_view key, F&& factory) {
+  try {
+    return factory();
+  } catch (const std::invalid_argument& error) {
+    table.refuse(key, error.what());
+  }
+}
+
+bool seed_model(const TomlReader& contact) {
+  constexpr std::array<std::string_view, 2> models{"exact", "seed_polynomial"};
+  return contact.has("model") && contact.choice("model", models) == 1;
+}
+
+struct Described {
+  PatchVariant patch;
+  std::string words;
+};
+
+Described hertz_disc(const TomlReader& contact, double radius) {
+  if (seed_model(contact)) {
+    return {friction::SeedHertzDisc::of_radius(radius),
+            fmt::format("Hertz disc by the polynomials of Keppler 2006, 4.2.5, radius {} m", radius)};
+  }
+  return {friction::HertzDisc::of_radius(radius), fmt::format("Hertz disc, radius {} m", radius)};
+}
+
+Described read_disc(const TomlReader& contact, Kind kind) {
+  const double radius = contact.number("radius", radius_range);
+  const std::string size = fmt::format("radius {} m", radius);
+  switch (kind) {
+    case Kind::hertz_disc:
+      return hertz_disc(contact, radius);
+    case Kind::flat_punch_disc:
+      return {friction::FlatPunchDisc::of_radius(radius), "disc under a flat punch, " + size};
+    case Kind::uniform_disc:
+      return {friction::UniformDisc::of_radius(radius), "uniform disc, " + size};
+    case Kind::ring:
+      return {friction::Ring::of_radius(radius), "thin ring, " + size};
+    case Kind::power_disc: {
+      const double exponent = contact.number("exponent", exponent_range);
+      return {made(contact, "exponent", [&] { return friction::PowerDisc::of_radius(radius, exponent); }),
+              fmt::format("disc with p ~ (1 - r^2/a^2)^(n - 1/2), n = {}, {}", exponent, size)};
+    }
+    default: {
+      const double alpha = contact.number("alpha", alpha_range);
+      return {made(contact, "alpha", [&] { return friction::XydasKaoDisc::of_radius(radius, alpha); }),
+              fmt::format("disc with the pressure of Xydas and Kao, alpha = {}, {}", alpha, size)};
+    }
+  }
+}
+
+Described read_rectangle(const TomlReader& contact) {
+  const auto [along_x, along_y] = read_sides(contact, "sides");
+  return {made(contact, "sides", [&, x = along_x, y = along_y] { return friction::Rectangle::of_sides(x, y); }),
+          fmt::format("uniform rectangle, sides {} m along x and {} m along y", along_x, along_y)};
+}
+
+Described read_polygon(const TomlReader& contact) {
+  auto outline = read_outline(contact, "vertices", "holes");
+  std::string words =
+      fmt::format("uniform polygon, outer vertices {}, holes {}", outline.outer.size(), outline.holes.size());
+  return {made(contact, "vertices",
+               [&] { return friction::Polygon::uniform(std::move(outline.outer), std::move(outline.holes)); }),
+          std::move(words)};
+}
+
+Described read_patch(const TomlReader& contact) {
+  const auto kind = static_cast<Kind>(contact.choice("patch", kind_names));
+  const auto takes = [&](TomlReader::Keys keys, std::string_view words) {
+    contact.refuse_others(
+        keys, fmt::format("not used by a {}, which takes {}", kind_names[static_cast<std::size_t>(kind)], words));
+  };
+  switch (kind) {
+    case Kind::rectangle:
+      takes({"patch", "normal_force", "centre", "sides"}, "'sides' and 'centre'");
+      return read_rectangle(contact);
+    case Kind::polygon:
+      takes({"patch", "normal_force", "vertices", "holes"}, "'vertices' and 'holes'");
+      return read_polygon(contact);
+    case Kind::hertz_disc:
+      takes({"patch", "normal_force", "centre", "radius", "model"}, "'radius', 'model' and 'centre'");
+      break;
+    case Kind::power_disc:
+      takes({"patch", "normal_force", "centre", "radius", "exponent"}, "'radius', 'exponent' and 'centre'");
+      break;
+    case Kind::xydas_kao_disc:
+      takes({"patch", "normal_force", "centre", "radius", "alpha"}, "'radius', 'alpha' and 'centre'");
+      break;
+    default:
+      takes({"patch", "normal_force", "centre", "radius"}, "'radius' and 'centre'");
+  }
+  return read_disc(contact, kind);
+}
+
+Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials) {
+  contact.refuse_others({"bodies", "normal_force", "centre", "model"},
+                        "not used beside 'bodies', from which the contact follows; give either bodies or a patch");
+  const auto [first, second] = read_two_bodies(contact, "bodies", materials);
+  const double force = contact.number("normal_force", positive("a force in N"));
+  return made(contact, "bodies", [&, &one = first, &other = second]() -> Contact {
+    const double relative_radius = contact::relative_radius(one.radius, other.radius);
+    const double modulus = contact::contact_modulus(one.material, other.material);
+    const double radius = contact::HertzCircle::under_force(force, relative_radius, modulus).radius;
+    Described disc = hertz_disc(contact, radius);
+    std::string validity = fmt::format("from two bodies by Hertz, a/R = {:.2g} (the half-space theory wants it small)",
+                                       radius / relative_radius);
+    return {std::move(disc.patch),
+            {},
+            force,
+            ComputedRadius{radius, hertz_radius_error},
+            {std::move(disc.words), std::move(validity), "body A: " + one.words, "body B: " + other.words}};
+  });
+}
+
+Contact read_given_patch(const TomlReader& contact) {
+  Described patch = read_patch(contact);
+  return {std::move(patch.patch),
+          {},
+          contact.number("normal_force", positive("a force in N")),
+          std::nullopt,
+          {std::move(patch.words)}};
+}
+
+}  // namespace
+
+Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials) {
+  const TomlReader table = scene.table("contact", {"patch", "radius", "exponent", "alpha", "sides", "vertices", "holes",
+                                                   "centre", "model", "normal_force", "bodies"});
+  if (!table.has("patch") && !table.has("bodies")) {
+    table.refuse_table("needs 'patch' (a name) or two tables [[contact.bodies]]");
+  }
+  Contact contact = table.has("bodies") ? read_bodies(table, materials) : read_given_patch(table);
+  if (table.has("centre")) {
+    contact.centre = read_point(table, table.node("centre"), "centre");
+    contact.notes.push_back(fmt::format("centre ({}, {}) m", contact.centre.x, contact.centre.y));
+  }
+  contact.notes.push_back(fmt::format("normal force {} N", contact.normal_force));
+  return contact;
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,17 @@
+// The table [friction] of a scene: Coulomb or Stribeck, with or without a viscous part.
+#pragma once
+
+#include <string>
+
+#include <patchgrip/cli/scene/toml_reader.h>
+#include <patchgrip/friction/law.h>
+
+namespace patchgrip::cli {
+
+// Throws SceneError.
+friction::Law read_friction(const TomlReader& scene);
+
+// The law as a formula, for the head of a table.
+std::string in_words(const friction::Law& law);
+
+}  // namespace patchgrip::cli

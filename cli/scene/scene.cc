@@ -1,0 +1,25 @@
+#include <patchgrip/cli/scene/scene.h>
+
+#include <utility>
+
+#include <patchgrip/cli/scene/friction_reader.h>
+#include <patchgrip/cli/scene/motion_reader.h>
+#include <patchgrip/cli/scene/toml_reader.h>
+
+namespace patchgrip::cli {
+
+Scene load_scene(const std::filesystem::path& file) {
+  return read_scene(TomlDocument::read(file), MaterialLibrary::for_scene(file));
+}
+
+Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials) {
+  const TomlReader scene(document, document.root(), "", {"title", "contact", "friction", "poles"});
+  if (!scene.has("contact")) scene.refuse("contact", "a table [contact] with a patch or two bodies");
+  std::string title = scene.has("title") ? scene.text("title") : "";
+  const friction::Law law = read_friction(scene);
+  Motions motions = read_motions(scene);
+  return {std::move(title), read_contact(scene, materials), law,
+          std::move(motions)};  // last what may be costly to make
+}
+
+}  // namespace patchgrip::cli
