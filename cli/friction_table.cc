@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 
+#include <patchgrip/cli/csv_number.h>
 #include <patchgrip/cli/scene/friction_reader.h>
 #include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/version.h>
@@ -22,14 +22,6 @@ constexpr std::string_view meaning =
     "# The exact force is within force_error_N (length of the difference) of the printed one, the exact moment within\n"
     "# moment_error_Nm: exact for the numbers of the scene as doubles, pole and w as printed (translation: vx and "
     "vy).\n";
-
-void append_number(std::string& table, double value) {
-  constexpr int digits = 17;
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, digits).ptr;
-  table.append(text.data(), end);
-}
 
 }  // namespace
 

@@ -2,31 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <vector>
 
 #include <patchgrip/cli/scene/nearest_name.h>
 
 namespace patchgrip::cli {
 namespace {
-
-struct Shape {
-  double radius;
-  std::string words;
-};
-
-Shape read_shape(const TomlReader& body) {
-  if (body.flag("plane")) {
-    if (body.has("radius")) body.refuse("radius", "not used by a plane; give either 'radius' or 'plane = true'");
-    if (body.has("concave")) body.refuse("concave", "not used by a plane");
-    return {std::numeric_limits<double>::infinity(), "plane"};
-  }
-  if (!body.has("radius"))
-    body.refuse_table("needs 'radius' (of a ball, or with 'concave = true' of a hollow) or 'plane = true'");
-  const double radius = body.number("radius", positive("a radius in m ('concave = true' for a hollow)"));
-  if (body.flag("concave")) return {-radius, fmt::format("hollow of radius {} m", radius)};
-  return {radius, fmt::format("ball of radius {} m", radius)};
-}
 
 contact::Material named_material(const TomlReader& body, const MaterialLibrary& materials) {
   const std::string name = body.text("material");
@@ -59,21 +40,23 @@ contact::Material read_material_of(const TomlReader& body, const MaterialLibrary
 }
 
 Body read_body(const TomlReader& body, const MaterialLibrary& materials) {
-  Shape shape = read_shape(body);
+  DescribedShape shape = read_shape(body);
   const contact::Material material = read_material_of(body, materials);
   const std::string name = body.has("material") ? body.text("material") + ", " : "";
   std::string words = body.flag("rigid") ? fmt::format("{}, rigid", shape.words)
                                          : fmt::format("{}, {}E = {:.6g} Pa, nu = {:.6g}", shape.words, name,
                                                        material.youngs_modulus, material.poisson_ratio);
-  return {shape.radius, material, std::move(words)};
+  return {std::move(shape.shape), material, std::move(words)};
 }
 
 }  // namespace
 
 std::pair<Body, Body> read_two_bodies(const TomlReader& contact, std::string_view key,
                                       const MaterialLibrary& materials) {
-  const auto bodies =
-      contact.tables(key, {"radius", "plane", "concave", "material", "youngs_modulus", "poisson_ratio", "rigid"});
+  const auto bodies = contact.tables(
+      key, {"radius", "plane",       "concave",    "radii",    "cylinder",       "direction",     "stamp",
+            "slope",  "coefficient", "exponent",   "terms",    "end_radius",     "points",        "mesh",
+            "point",  "unit",        "height_map", "material", "youngs_modulus", "poisson_ratio", "rigid"});
   if (bodies.size() != 2) {
     contact.refuse(key, fmt::format("two bodies, each under [[{}]], not {}", contact.full_name(key), bodies.size()));
   }

@@ -1,4 +1,4 @@
-// The two bodies of a contact: shape (ball, hollow or plane) and material of each.
+// The two bodies of a contact: shape and material of each.
 #pragma once
 
 #include <string>
@@ -6,13 +6,14 @@
 #include <utility>
 
 #include <patchgrip/cli/scene/materials.h>
+#include <patchgrip/cli/scene/shape.h>
 #include <patchgrip/cli/scene/toml_reader.h>
 #include <patchgrip/contact/material.h>
 
 namespace patchgrip::cli {
 
 struct Body {
-  double radius;  // [m]; +infinity for a plane, negative for a hollow
+  Shape shape;
   contact::Material material;
   std::string words;
 };

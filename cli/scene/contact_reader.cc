@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -120,13 +121,20 @@ Described read_patch(const TomlReader& contact) {
   return read_disc(contact, kind);
 }
 
+double radius_of_ball(const TomlReader& contact, const Shape& shape) {
+  if (std::holds_alternative<Plane>(shape)) return std::numeric_limits<double>::infinity();
+  if (const auto* ball = std::get_if<Ball>(&shape)) return ball->radius;
+  contact.refuse("bodies", "friction is tabulated between balls, hollows and planes");
+}
+
 Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials) {
   contact.refuse_others({"bodies", "normal_force", "centre", "model"},
                         "not used beside 'bodies', from which the contact follows; give either bodies or a patch");
   const auto [first, second] = read_two_bodies(contact, "bodies", materials);
   const double force = contact.number("normal_force", positive("a force in N"));
   return made(contact, "bodies", [&, &one = first, &other = second]() -> Contact {
-    const double relative_radius = contact::relative_radius(one.radius, other.radius);
+    const double relative_radius =
+        contact::relative_radius(radius_of_ball(contact, one.shape), radius_of_ball(contact, other.shape));
     const double modulus = contact::contact_modulus(one.material, other.material);
     const double radius = contact::HertzCircle::under_force(force, relative_radius, modulus).radius;
     Described disc = hertz_disc(contact, radius);

@@ -1,0 +1,36 @@
+// What `patchgrip press` says about a contact: numbers with their errors, other laws beside them, and warnings.
+//
+// The error of a number bounds its distance from the exact answer of the law that is named, for the numbers of the scene as
+// doubles. How far the law is from the scene is not in it: warnings say so, and the laws beside show it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace patchgrip::cli {
+
+struct Quantity {
+  std::string name;
+  double value;
+  double error;  // >= 0, in the unit of the value
+  std::string unit;
+};
+
+struct LawAnswer {
+  std::string law;
+  std::vector<Quantity> quantities;
+  std::string remark;  // where the law holds, on which side it errs
+};
+
+struct Answer {
+  LawAnswer main;
+  std::vector<LawAnswer> beside;
+  std::vector<std::string> warnings;
+};
+
+// One JSON object with a line break at the end. Throws std::range_error, naming the quantity, where a number is not finite.
+std::string to_json(const Answer& answer, std::string_view scene_path, std::string_view title,
+                    const std::vector<std::string>& contact);
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,84 @@
+// Shapes of bodies as a scene describes them, before anything is computed from them.
+//
+// The frame is that of the contact: z along the normal, origin where the bodies touch first.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <patchgrip/cli/scene/toml_reader.h>
+
+namespace patchgrip::cli {
+
+struct Ball {
+  double radius;  // [m]; negative for a hollow
+};
+
+struct Plane {};
+
+// A surface by its principal radii; the first one is measured in the direction of the x-axis turned by `direction`.
+struct CurvedSurface {
+  std::array<double, 2> radii;  // [m]; negative for a hollow, infinite where it is straight
+  double direction;             // [rad]
+};
+
+// A body of revolution about the normal, by its height f(r) above the lowest point.
+struct SphereStamp {
+  double radius;  // [m]
+  int terms;      // of the series in r^2; 0 for the sphere itself
+};
+struct ConeStamp {
+  double slope;  // f = slope r
+};
+struct PowerStamp {
+  double coefficient;  // f = coefficient r^exponent [m^(1 - exponent)]
+  double exponent;
+};
+struct FlatPunchStamp {
+  double radius;  // [m]
+};
+struct FlatEndParaboloidStamp {
+  double end_radius;  // b [m]: f = (r^2 - b^2) / (2 radius) beyond
+  double radius;      // [m]
+};
+struct FlatEndConeStamp {
+  double end_radius;  // b [m]: f = slope (r - b) beyond
+  double slope;
+};
+struct PointStamp {
+  std::vector<std::array<double, 2>> points;  // (r, f) [m], straight between them
+};
+
+// The surface of a mesh near a point of it.
+struct MeshSurface {
+  std::filesystem::path file;
+  std::array<double, 3> point;  // in the frame and the unit of the file's coordinates
+  double unit;                  // of the file [m]
+  double direction;             // of the mesh's own x-axis against that of the contact [rad]
+};
+
+// A gap on a grid.
+struct HeightMapFile {
+  std::filesystem::path file;
+};
+
+using Shape = std::variant<Ball, Plane, CurvedSurface, SphereStamp, ConeStamp, PowerStamp, FlatPunchStamp,
+                           FlatEndParaboloidStamp, FlatEndConeStamp, PointStamp, MeshSurface, HeightMapFile>;
+
+struct DescribedShape {
+  Shape shape;
+  std::string words;
+};
+
+// Keys of a body that describe its shape.
+inline constexpr std::array<std::string_view, 17> shape_keys{
+    "radius",   "plane", "concave",    "radii",  "cylinder", "direction", "stamp",      "slope", "coefficient",
+    "exponent", "terms", "end_radius", "points", "mesh",     "point",     "height_map", "unit"};
+
+// Throws SceneError. Files are looked for beside the scene.
+DescribedShape read_shape(const TomlReader& body);
+
+}  // namespace patchgrip::cli
