@@ -86,7 +86,8 @@ inline const std::vector<NamedPatch>& every_patch() {
     disc("PowerDiscSingular", PowerDisc::of_radius(0.07, -0.3));
     disc("PowerDiscSmooth", PowerDisc::of_radius(5, 2.5));
     disc("XydasKaoDisc", XydasKaoDisc::of_radius(0.01, 0.7));
-    disc("StampDisc", StampDisc::of_punches(0.01, [](double s) { return 2 * s / (0.01 * 0.01); }, 1));
+    disc("StampDisc", StampDisc::of_punches(
+                          0.01, [](double s) { return 2 * s / (0.01 * 0.01); }, 1));
     all.push_back({"Rectangle", Rectangle::of_sides(0.3, 0.05), corners_and_sides(box(-0.15, -0.025, 0.15, 0.025))});
     for (const Shape& shape : {triangle, l_shape, frame, comb, slender_100}) {
       all.push_back({shape.name, shape.patch(), corners_and_sides(shape.outer)});
