@@ -19,7 +19,8 @@ struct ContactRow {
 
  private:
   Exact field(const char* side, const std::string& key) const {
-    return Exact(row.at(side).at(key).at("value").get<std::string>());
+    const auto& value = row.at(side).at(key).at("value");
+    return Exact(value.is_string() ? value.get<std::string>() : value.dump());
   }
 };
 

@@ -1,0 +1,52 @@
+// Root of an increasing positive function of a positive variable: y(x) = target.
+//
+// Newton's method on ln y against ln x, where a power law is a straight line: exact in one step for one power, and
+// monotone for sums of powers. A bracket, halved in ln x when Newton leaves it, makes it converge for any increasing y.
+//
+//     x <- x (target / y)^(1/c),   c = x y'(x) / y(x)
+//
+// Error    x is within a unit of rounding of a point where the computed y crosses the target.
+// Throws   std::runtime_error, naming the residual, when 300 steps do not suffice (y not increasing, or target out of
+//          its range).
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace patchgrip::contact {
+
+// value(x) and slope(x) are y and y'; a slope that is not finite is answered by a bisection. start in (0, max].
+template <class Value, class Slope>
+double increasing_root(const Value& value, const Slope& slope, double target, double start,
+                       double max = std::numeric_limits<double>::infinity()) {
+  double lo = 0;
+  double hi = max;
+  double x = start;
+  double y = 0;
+  for (int i = 0; i < 300; ++i) {
+    y = value(x);
+    if (y == target) return x;
+    (y < target ? lo : hi) = x;
+    const double step = std::log(target / y) / (x * slope(x) / y);
+    double next = x * std::exp(step);
+    if (!(next > lo && next < hi && std::fabs(step) < 10)) {
+      if (std::fabs(step) < 0x1p-52) return x;
+      if (lo == 0) {
+        next = x / 16;
+      } else if (hi == std::numeric_limits<double>::infinity()) {
+        next = x * 16;
+      } else {
+        next = std::sqrt(lo) * std::sqrt(hi);
+        if (!(next > lo && next < hi)) next = lo + (hi - lo) / 2;
+      }
+    }
+    if (next <= lo || next >= hi || std::fabs(step) < 0x1p-53) return next;
+    x = next;
+  }
+  throw std::runtime_error("contact radius not found: residual " + std::to_string(y / target - 1) + " at " +
+                           std::to_string(x) + " m");
+}
+
+}  // namespace patchgrip::contact
