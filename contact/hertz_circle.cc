@@ -4,19 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string_view>
 
 namespace patchgrip::contact {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double require_radius(std::string_view name, double radius) {
-  if (!(std::isfinite(radius) || radius == infinity) || radius == 0) {
-    refuse(name, radius, "must be positive (infinite for a plane), or negative and finite for a hollow");
-  }
-  return radius;
-}
 
 }  // namespace
 

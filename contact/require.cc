@@ -41,6 +41,13 @@ double require_representable(std::string_view name, double value) {
   return require_in(name, value, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
 }
 
+double require_radius(std::string_view name, double value) {
+  if (!(std::isfinite(value) || value == std::numeric_limits<double>::infinity()) || value == 0) {
+    refuse(name, value, "must be positive (infinite for a plane), or negative and finite for a hollow");
+  }
+  return value;
+}
+
 double require_in(std::string_view name, double value, double lo, double hi, Ends ends) {
   const bool without_lo = ends == Ends::open || ends == Ends::left_open;
   const bool without_hi = ends == Ends::open || ends == Ends::right_open;

@@ -20,6 +20,7 @@ double require_positive(std::string_view name, double value);       // 0 < value
 double require_non_negative(std::string_view name, double value);   // 0 <= value < infinity
 double require_finite(std::string_view name, double value);         // -infinity < value < infinity
 double require_representable(std::string_view name, double value);  // positive, neither overflowed nor underflowed
+double require_radius(std::string_view name, double value);         // of curvature: +infinity, or finite and not 0
 
 enum class Ends { closed, open, left_open, right_open };  // [lo, hi], (lo, hi), (lo, hi], [lo, hi)
 
