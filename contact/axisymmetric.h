@@ -22,7 +22,8 @@
 // Error    each profile states its own (errors()), in units of 2^-53; a contact states what follows from them for the
 //          arguments it was made of. tests/contact/axisymmetric_test.cc.
 // Fails    p is infinite where the slope of f jumps (r = 0 of a cone, r = b of a flat end), and so is g' at a jump
-//          b > 0: both are integrable, and returned as +infinity. A bound of the error is infinite there, too.
+//          b > 0: both are integrable, and returned as +infinity. A bound of the error is infinite there, too; pressure_error
+//          is no bound where the radius itself is a jump to within rounding.
 // Throws   std::invalid_argument, naming the parameter, from the factories alone; std::runtime_error, with the
 //          residual, where an inversion does not converge.
 #pragma once
@@ -44,7 +45,6 @@ struct ProfileErrors {
   double pressure;      // p(r, a)
   double displacement;  // u_z(r, a) of r > a; inside, delta and f(r) are each good to `approach`
   double radius;        // radius_of_force, radius_of_approach
-  double exchange;      // delta of a given force through the radius, and F of a given approach
 };
 
 // What radius_of_force returns converts to a double and can stand wherever a radius can. Where neighboring doubles a
@@ -93,9 +93,13 @@ class AxisymmetricContact {
       require_in("normal_force", normal_force, 0, contact_modulus * profile.force(profile.max_radius()));
     }
     const Circle a = profile.radius_of_force(scaled);
-    const double approach = profile.approach(a);
+    // What the rounding of a costs is repaired by the stiffness: d(delta) = dF / (2 a).
+    const double force = profile.force(a);
+    const double approach = profile.approach(a) + (scaled - force) / (2 * static_cast<double>(a));
     const ProfileErrors e = profile.errors();
-    return {std::move(profile), a, contact_modulus, normal_force, approach, {e.radius + 1, 0, e.exchange + 1}};
+    const double share = scaled / (2 * static_cast<double>(a) * approach);
+    return {std::move(profile), a,        contact_modulus,
+            normal_force,       approach, {e.radius + 1, 0, e.approach + (e.force + 2) * share + 2}};
   }
 
   static AxisymmetricContact at_approach(P profile, double approach, double contact_modulus) {
@@ -105,9 +109,11 @@ class AxisymmetricContact {
       require_in("approach", approach, 0, profile.approach(profile.max_radius()));
     }
     const Circle a = profile.radius_of_approach(approach);
-    const double force = contact_modulus * profile.force(a);
+    const double scaled = profile.force(a) + 2 * static_cast<double>(a) * (approach - profile.approach(a));
     const ProfileErrors e = profile.errors();
-    return {std::move(profile), a, contact_modulus, force, approach, {e.radius, e.exchange + 1, 0}};
+    const double share = 2 * static_cast<double>(a) * approach / scaled;
+    return {std::move(profile),       a,        contact_modulus,
+            contact_modulus * scaled, approach, {e.radius, e.force + (e.approach + 1) * share + 3, 0}};
   }
 
   const P& profile() const noexcept { return profile_; }

@@ -17,11 +17,11 @@
 
 namespace patchgrip::contact {
 
-// value(x) and slope(x) are y and y'; a slope that is not finite is answered by a bisection. start in (0, max].
+// value(x) and slope(x) are y and y'; a slope that is not finite is answered by a bisection. min < start < max.
 template <class Value, class Slope>
-double increasing_root(const Value& value, const Slope& slope, double target, double start,
+double increasing_root(const Value& value, const Slope& slope, double target, double start, double min = 0,
                        double max = std::numeric_limits<double>::infinity()) {
-  double lo = 0;
+  double lo = min;
   double hi = max;
   double x = start;
   double y = 0;

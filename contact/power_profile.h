@@ -24,6 +24,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 
 #include <patchgrip/contact/axisymmetric.h>
+#include <patchgrip/contact/far_displacement.h>
 
 namespace patchgrip::contact {
 
@@ -72,7 +73,7 @@ class PowerProfile {
 
   ProfileErrors errors() const noexcept {
     const double m = exponent_;
-    return {m + 8, m + 8, m + 24, 2 * m + 32, 4 + 8 / m, 5 * m + 16 + 8 / m};
+    return {m + 8, m + 8, m + 24, 2 * m + 32, 4 + 8 / m};
   }
 
   double exponent() const noexcept { return exponent_; }
@@ -92,19 +93,6 @@ class PowerProfile {
   template <class Real>
   static Real gamma_constant(double m) {
     return boost::math::constants::root_pi<Real>() * boost::math::tgamma_ratio(Real(m) / 2 + 1, (Real(m) + 1) / 2);
-  }
-
-  // Sum of c_k x^k / (k-th divisor) until it no longer changes; c_k = (1/2)_k / k!, 0 <= x <= 1/2.
-  template <class Real, class Term>
-  static Real binomial_sum(const Term& term) {
-    Real sum = 0;
-    Real c = 1;
-    for (int k = 0;; ++k) {
-      const Real next = c * term(k);
-      sum += next;
-      if (!(next > std::numeric_limits<Real>::epsilon() / 16 * sum)) return sum;
-      c *= (2 * k + Real(1)) / (2 * k + 2);
-    }
   }
 
   // I_m(rho). From 0 < m <= 2 upwards by (m - 1) I_m = sqrt(1 - rho^2) + (m - 2) rho^2 I_(m-2): positive terms only.
@@ -174,16 +162,8 @@ class PowerProfile {
     using std::pow;
     using std::sin;
     const Real m(exponent_);
-    const auto far = [&m](const Real& u) -> Real {
-      Real power = u;
-      return binomial_sum<Real>([&](int k) -> Real {
-        const Real term = power * m / ((2 * k + Real(1)) * (2 * k + 1 + m));
-        power *= u * u;
-        return term;
-      });
-    };
     const Real u = a / r;
-    if (2 * u * u <= 1) return far(u);
+    if (2 * u * u <= 1) return far_displacement(m, u);
     constexpr bool is_double = std::same_as<Real, double>;
     using Rule = boost::math::quadrature::gauss<Real, is_double ? 15 : 30>;
     const Real quarter = boost::math::constants::quarter_pi<Real>();
@@ -198,7 +178,8 @@ class PowerProfile {
       sum += Rule::integrate([&](const Real& t) -> Real { return -expm1(m * (log_rho + log(sin(t)))); }, lo, hi);
     }
     return sum - quarter * expm1(m * log_cut) +
-           pow(r / a / boost::math::constants::root_two<Real>(), m) * far(1 / boost::math::constants::root_two<Real>());
+           pow(r / a / boost::math::constants::root_two<Real>(), m) *
+               far_displacement(m, Real(1 / boost::math::constants::root_two<Real>()));
   }
 
   double height_;    // h [m]

@@ -109,10 +109,14 @@ TEST(PowerProfile, StatedErrorsHold) {
     const Exact a_of_approach = exact * pow(Exact(d) / delta, 1 / Exact(profile.exponent()));
     radius = std::max({radius, units_of_rounding(profile.radius_of_force(f), a_of_force) / e.radius,
                        units_of_rounding(profile.radius_of_approach(d), a_of_approach) / e.radius});
-    exchange = std::max(
-        {exchange,
-         units_of_rounding(profile.approach(profile.radius_of_force(f)), profile.approach(a_of_force)) / e.exchange,
-         units_of_rounding(profile.force(profile.radius_of_approach(d)), profile.force(a_of_approach)) / e.exchange});
+    using Contact = AxisymmetricContact<PowerProfile>;
+    const auto loaded = Contact::under_force(profile, f, 1);
+    const auto moved = Contact::at_approach(profile, d, 1);
+    exchange = std::max({exchange,
+                         units_of_rounding(loaded.approach(), profile.approach(a_of_force)) * 0x1p-53 *
+                             loaded.approach() / loaded.approach_error(),
+                         units_of_rounding(moved.force(), profile.force(a_of_approach)) * 0x1p-53 * moved.force() /
+                             moved.force_error()});
   }
   RecordProperty("approach", std::to_string(approach));
   RecordProperty("force", std::to_string(force));

@@ -1,0 +1,104 @@
+// Paraboloid with a flat end of radius b (a worn ball): f = 0 for r < b, (r^2 - b^2) / (2 R) beyond.
+//
+//     S = sqrt(a^2 - b^2):   delta = a S / R,   F/E* = 2 S (2 a^2 + b^2) / (3 R),   g' = (2 x^2 - b^2) / (R sqrt(x^2 - b^2))
+//     p/E* = (1/pi) int_max(r,b)^a g'(x) / sqrt(x^2 - r^2) dx                                            (Ejike 1981)
+//     u_z  = (2/pi) int_b^a arcsin(x/r) g'(x) dx,   r > a
+//
+// p is closed in elliptic integrals (flat_end_circle.h); u_z outside is integrated numerically, to rounding.
+//
+// Domain   R, b > 0, a > b.
+// Units    R, b, r, a [m]; the rest as in axisymmetric.h.
+// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 10 of F, 16 of p, 12 of u_z, 6 of
+//          the radius and of S; tests/contact/flat_end_paraboloid_test.cc.
+// Fails    p(b), logarithmically, and g'(b) are +infinity.
+// Throws   std::invalid_argument outside the domain.
+#pragma once
+
+#include <limits>
+
+#include <patchgrip/contact/axisymmetric.h>
+#include <patchgrip/contact/flat_end_circle.h>
+
+namespace patchgrip::contact {
+
+class FlatEndParaboloid {
+ public:
+  // end_radius = b, curvature_radius = R.
+  static FlatEndParaboloid of(double end_radius, double curvature_radius);
+
+  template <class Real>
+  Real height(const Real& r) const {
+    return r > b_ ? Real((r - b_) * ((r + b_) / R_) / 2) : Real(0);
+  }
+
+  template <class Real>
+  Real approach(const Real& a) const {
+    return approach(known(a));
+  }
+  template <class Real>
+  Real approach(const BasicFlatEndCircle<Real>& a) const {
+    return a.radius * (a.reach / R_);
+  }
+
+  template <class Real>
+  Real approach_slope(const Real& a) const {
+    return approach_slope(known(a));
+  }
+  template <class Real>
+  Real approach_slope(const BasicFlatEndCircle<Real>& a) const {
+    return (2 * a.reach + b_ / a.reach * b_) / R_;
+  }
+
+  template <class Real>
+  Real force(const Real& a) const {
+    return force(known(a));
+  }
+  template <class Real>
+  Real force(const BasicFlatEndCircle<Real>& a) const {
+    return 2 * a.reach * (2 * a.reach * (a.reach / R_) / 3 + b_ / R_ * Real(b_));
+  }
+
+  template <class Real>
+  Real pressure(const Real& r, const Real& a) const {
+    return pressure(r, known(a));
+  }
+  template <class Real>
+  Real pressure(const Real& r, const BasicFlatEndCircle<Real>& a) const {
+    if (r == b_) return std::numeric_limits<Real>::infinity();
+    const auto integral = flat_end_integrals(r, a);
+    return (2 * integral.of_square - b_ * (b_ * integral.of_one)) / (boost::math::constants::pi<Real>() * R_);
+  }
+
+  template <class Real>
+  Real displacement(const Real& r, const Real& a) const {
+    return displacement(r, known(a));
+  }
+  template <class Real>
+  Real displacement(const Real& r, const BasicFlatEndCircle<Real>& a) const {
+    if (r <= a.radius) return approach(a) - height(r);
+    return flat_end_displacement(r, a, [](const Real& x, const Real& y) -> Real { return x + y / x * y; }) / R_;
+  }
+
+  FlatEndCircle circle(double a) const;
+  FlatEndCircle radius_of_approach(double approach) const;
+  FlatEndCircle radius_of_force(double force) const;
+
+  double max_radius() const noexcept { return std::numeric_limits<double>::infinity(); }
+  ProfileErrors errors() const noexcept { return {6, 10, 16, 12, 6}; }
+  double end_radius() const noexcept { return b_; }
+  double curvature_radius() const noexcept { return R_; }
+
+ private:
+  FlatEndParaboloid(double end_radius, double curvature_radius) : b_(end_radius), R_(curvature_radius) {}
+
+  // g = F = 0 for a within the flat end.
+  template <class Real>
+  BasicFlatEndCircle<Real> known(const Real& a) const {
+    return BasicFlatEndCircle<Real>::of_radius(Real(b_), a > b_ ? a : Real(b_));
+  }
+
+  double b_;
+  double R_;
+};
+
+}  // namespace patchgrip::contact
