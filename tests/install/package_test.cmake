@@ -8,7 +8,7 @@ file(GLOB package ${work}/*.deb)
 
 execute_process(COMMAND dpkg-deb --field ${package} OUTPUT_VARIABLE control COMMAND_ERROR_IS_FATAL ANY)
 set(depends "Depends: [^\n]*")
-foreach(field "Package: patchgrip" "Version: ${VERSION}" "${depends}libc6" "${depends}libcgal-dev" "${depends}libtoml")
+foreach(field "Package: patchgrip" "Version: ${VERSION}" "${depends}libc6" "${depends}libcgal-dev" "${depends}libfftw3-dev" "${depends}libtoml")
   if(NOT control MATCHES "${field}")
     message(FATAL_ERROR "${package} lacks the field '${field}':\n${control}")
   endif()

@@ -1,0 +1,111 @@
+#include <patchgrip/contact/half_space/love_kernel.h>
+#include <patchgrip/contact/require.h>
+
+#include <algorithm>
+#include <numbers>
+#include <vector>
+
+namespace patchgrip::contact {
+namespace {
+
+using Long = long double;
+
+// Mean of 1/|P - Q| over the rectangle's points Q, times 4ab: multipoles of order 2, 4 and 6, from the derivatives of
+// 1/r, which is harmonic in space but not in the plane. Truncated at relative order (c / r)^8, c = hypot(a, b).
+template <class Scalar>
+Scalar far_integral(Scalar a, Scalar b, Scalar x, Scalar y) {
+  const Scalar r2 = x * x + y * y;
+  const Scalar c2 = x * x / r2, s2 = y * y / r2;  // squared cosine and sine of the direction
+  const Scalar A = a * a / r2, B = b * b / r2;
+  // Mean of r / |P - Q| = sum over m, n of A^m B^n d^(2m+2n)(1/r) / ((2m+1)! (2n+1)!) in x^(2m) y^(2n), r = 1.
+  const Scalar xx = 3 * c2 - 1, yy = 3 * s2 - 1;
+  const Scalar xxxx = (105 * c2 - 90) * c2 + 9, yyyy = (105 * s2 - 90) * s2 + 9;
+  const Scalar xxyy = 105 * c2 * s2 - 12;
+  const Scalar x6 = ((10395 * c2 - 14175) * c2 + 4725) * c2 - 225, y6 = ((10395 * s2 - 14175) * s2 + 4725) * s2 - 225;
+  const Scalar x4y2 = (10395 * c2 * c2 - 5670 * c2 + 315) * s2 - (945 * c2 * c2 - 630 * c2 + 45);
+  const Scalar x2y4 = (10395 * s2 * s2 - 5670 * s2 + 315) * c2 - (945 * s2 * s2 - 630 * s2 + 45);
+  const Scalar second = (A * xx + B * yy) / 6;
+  const Scalar fourth = (A * A * xxxx + B * B * yyyy) / 120 + A * B * xxyy / 36;
+  const Scalar sixth = (A * A * A * x6 + B * B * B * y6) / 5040 + A * B * (A * x4y2 + B * x2y4) / 720;
+  return 4 * a * b / std::sqrt(r2) * (1 + second + fourth + sixth);
+}
+
+// asinh(right / h) - asinh(left / h), right > left, h >= 0: the potential of a line at the distance h. No difference of
+// nearly equal numbers.
+Long span(Long left, Long right, Long h) {
+  if (left < 0) return right < 0 ? span(-right, -left, h) : std::asinh(right / h) + std::asinh(-left / h);
+  const Long near = std::hypot(left, h), far = std::hypot(right, h);
+  return std::log1p((right - left) * (1 + (right + left) / (near + far)) / (left + near));
+}
+
+// [asinh(X / low) - asinh(X / high)] for 0 < low < high and X >= 0.
+Long fall(Long X, Long low, Long high) {
+  const Long near = std::hypot(X, low), far = std::hypot(X, high);
+  // (X + near) / low over (X + far) / high
+  return std::log1p((high - low) / low) - std::log1p((high - low) * (high + low) / ((near + far) * (X + near)));
+}
+
+// Closed form for a >= b, x, y >= 0, arranged so that rounding grows as r / a only, however thin the rectangle.
+Long near_integral(Long a, Long b, Long x, Long y) {
+  const auto times_span = [](Long factor, Long left, Long right) {
+    return factor == 0 ? 0 : factor * span(left, right, std::abs(factor));
+  };
+  const Long columns = times_span(x + a, y - b, y + b) - times_span(x - a, y - b, y + b);
+  if (y <= 2 * b) return columns + times_span(y + b, x - a, x + a) - times_span(y - b, x - a, x + a);
+  // y >> b: the two spans are nearly equal. (y+b) M(y+b) - (y-b) M(y-b) = b [M(y+b) + M(y-b)] - y [M(y-b) - M(y+b)].
+  const Long far_end = fall(x + a, y - b, y + b);
+  const Long near_end = x >= a ? fall(x - a, y - b, y + b) : -fall(a - x, y - b, y + b);
+  return columns + b * (span(x - a, x + a, y + b) + span(x - a, x + a, y - b)) - y * (far_end - near_end);
+}
+
+Long integral(Long a, Long b, Long x, Long y) {
+  if (a < b) return integral(b, a, y, x);
+  return std::hypot(x, y) > 100 * a ? far_integral(a, b, x, y) : near_integral(a, b, x, y);
+}
+
+}  // namespace
+
+double love_displacement(double pressure, double contact_modulus, double half_x, double half_y, double x, double y) {
+  require_positive("pressure", pressure);
+  require_positive("contact_modulus", contact_modulus);
+  const Long a = require_positive("half_x", half_x), b = require_positive("half_y", half_y);
+  const Long across = std::abs(require_finite("x", x)), along = std::abs(require_finite("y", y));
+  const Long u = pressure / (std::numbers::pi_v<Long> * contact_modulus) * integral(a, b, across, along);
+  return require_representable("displacement", static_cast<double>(u));
+}
+
+void fill_love_table(const Grid& grid, int columns, int rows, double* table) {
+  // Where double loses as much to the four corners as the multipoles lose to truncation.
+  constexpr int near = 24;
+  const double a = grid.dx / 2, b = grid.dy / 2;
+  const double reach = near * std::max(grid.dx, grid.dy);
+  const int near_columns = std::min(columns, static_cast<int>(reach / grid.dx));
+  const int near_rows = std::min(rows, static_cast<int>(reach / grid.dy));
+  for (int j = 0; j < rows; ++j) {
+    double* row = table + static_cast<std::ptrdiff_t>(j) * columns;
+    for (int i = j < near_rows ? near_columns : 0; i < columns; ++i) {
+      row[i] = far_integral(a, b, i * grid.dx, j * grid.dy) / std::numbers::pi;
+    }
+  }
+
+  // Neighbours share corners, none on an axis; T is odd in X and in Y.
+  std::vector<double> below, above(static_cast<std::size_t>(near_columns));
+  for (int j = 0; j < near_rows; ++j) {
+    below = above;
+    const double Y = (j + 0.5) * grid.dy;
+    for (int i = 0; i < near_columns; ++i) {
+      const double X = (i + 0.5) * grid.dx;
+      above[static_cast<std::size_t>(i)] = X * std::asinh(Y / X) + Y * std::asinh(X / Y);
+    }
+    if (j == 0) std::ranges::transform(above, below.begin(), [](double t) { return -t; });
+    double* row = table + static_cast<std::ptrdiff_t>(j) * columns;
+    double left = below[0] - above[0];
+    for (int i = 0; i < near_columns; ++i) {
+      const double right = above[static_cast<std::size_t>(i)] - below[static_cast<std::size_t>(i)];
+      row[i] = (right - left) / std::numbers::pi;
+      left = right;
+    }
+  }
+}
+
+}  // namespace patchgrip::contact

@@ -1,0 +1,284 @@
+#include <patchgrip/contact/half_space/coarse_to_fine.h>
+#include <patchgrip/contact/half_space/contact_edge.h>
+#include <patchgrip/contact/half_space/press.h>
+#include <patchgrip/contact/half_space/zones.h>
+#include <patchgrip/contact/require.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace patchgrip::contact {
+namespace {
+
+constexpr int coarsest_cells = 32;       // a side of the first grid has at least so many, if there is a choice
+constexpr double coarse_tolerance = 30;  // of the one asked for
+constexpr double order_factor = 2.4;     // 2^order - 1 of what is measured on Hertz' contact
+constexpr int least_cells_for_threads = 100 * 100;
+
+struct Level {
+  Grid grid;
+  std::vector<double> gap;
+};
+
+// The grid given, and how often its sides can be halved; a free grid is extended where they cannot.
+int halvings(const Grid& grid) {
+  int count = 0;
+  for (int n = std::min(grid.nx, grid.ny) / 2; n >= coarsest_cells; n /= 2) ++count;
+  return std::max(count, 1);
+}
+
+int round_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
+
+// The gap beyond the border is that of the border: no contact is allowed there anyway.
+Level extended(const Grid& grid, std::span<const double> gap, int unit) {
+  const Grid large{round_up(grid.nx, unit), round_up(grid.ny, unit), grid.dx, grid.dy};
+  std::vector<double> field(large.size());
+  for (int j = 0; j < large.ny; ++j) {
+    for (int i = 0; i < large.nx; ++i) {
+      field[large.index(i, j)] = gap[grid.index(std::min(i, grid.nx - 1), std::min(j, grid.ny - 1))];
+    }
+  }
+  return {large, std::move(field)};
+}
+
+// From coarse to fine.
+std::vector<Level> make_levels(const Grid& grid, Surface surface, std::span<const double> gap) {
+  std::vector<Level> levels;
+  int count = halvings(grid);
+  if (surface == Surface::free) {
+    levels.push_back(extended(grid, gap, 1 << count));
+  } else {
+    levels.push_back({grid, {gap.begin(), gap.end()}});
+    while (grid.nx % (1 << count) != 0 || grid.ny % (1 << count) != 0) --count;
+  }
+  for (; count > 0; --count) {
+    const Level& fine = levels.back();
+    levels.push_back({coarser(fine.grid), coarsen_gap(fine.grid, surface, fine.gap)});
+  }
+  std::ranges::reverse(levels);
+  return levels;
+}
+
+std::vector<double> cold_start(const Level& level, const Press& press) {
+  if (press.prescribed == Prescribed::load) return std::vector<double>(level.grid.size(), 1.);  // scaled by the solver
+  std::vector<double> pressure(level.grid.size());
+  std::ranges::transform(level.gap, pressure.begin(), [&](double f) { return f < press.value ? 1. : 0.; });
+  return pressure;
+}
+
+// What is measured on one grid, in p / E*.
+struct Measured {
+  double force = 0, approach = 0, peak = 0, area = 0, counted_area = 0;
+  ZoneMap map;
+  std::vector<ContactZone> zones;
+};
+
+Measured measure(const Grid& grid, Surface surface, std::span<const double> pressure, double approach) {
+  Measured result{.approach = approach, .map = map_zones(grid, surface, pressure), .zones = {}};
+  for (const ZoneArea& zone : zone_areas(grid, surface, pressure, result.map)) {
+    result.zones.push_back({{0, 0}, {zone.area, 0}, 0, zone.resolved, 0, 0, 0});
+    result.area += zone.area;
+  }
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      const double p = pressure[grid.index(i, j)];
+      if (!(p > 0)) continue;
+      ContactZone& zone = result.zones[static_cast<std::size_t>(result.map.zone[grid.index(i, j)])];
+      zone.force.value += p * grid.cell_area();
+      zone.counted_area += grid.cell_area();
+      zone.x += p * grid.cell_area() * grid.x(i);
+      zone.y += p * grid.cell_area() * grid.y(j);
+      zone.peak_pressure = std::max(zone.peak_pressure, p);
+    }
+  }
+  for (ContactZone& zone : result.zones) {
+    zone.x /= zone.force.value;
+    zone.y /= zone.force.value;
+    result.force += zone.force.value;
+    result.counted_area += zone.counted_area;
+    result.peak = std::max(result.peak, zone.peak_pressure);
+  }
+  return result;
+}
+
+double estimate(double fine, double coarse, double tolerance) {
+  return std::abs(fine - coarse) / order_factor + tolerance * std::abs(fine);
+}
+
+// The zones of the coarser grid are those of the finer one that lie around their highest cell.
+void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coarse,
+                    std::span<const double> coarse_pressure, double tolerance) {
+  std::vector<std::pair<double, double>> coarse_values(fine.zones.size());  // force and area
+  const Grid coarse_grid = coarser(fine_grid);
+  std::vector<std::size_t> highest(coarse.zones.size(), coarse_pressure.size());
+  for (std::size_t cell = 0; cell < coarse_pressure.size(); ++cell) {
+    if (!(coarse_pressure[cell] > 0)) continue;
+    std::size_t& top = highest[static_cast<std::size_t>(coarse.map.zone[cell])];
+    if (top == coarse_pressure.size() || coarse_pressure[cell] > coarse_pressure[top]) top = cell;
+  }
+  for (std::size_t k = 0; k < coarse.zones.size(); ++k) {
+    const auto columns = static_cast<std::size_t>(coarse_grid.nx);
+    const int zone = fine.map.zone[fine_grid.index(2 * static_cast<int>(highest[k] % columns),
+                                                   2 * static_cast<int>(highest[k] / columns))];
+    if (zone < 0) continue;
+    coarse_values[static_cast<std::size_t>(zone)].first += coarse.zones[k].force.value;
+    coarse_values[static_cast<std::size_t>(zone)].second += coarse.zones[k].area.value;
+  }
+  for (std::size_t k = 0; k < fine.zones.size(); ++k) {
+    const auto [force, area] = coarse_values[k];
+    ContactZone& zone = fine.zones[k];
+    zone.force.error = force > 0 ? estimate(zone.force.value, force, tolerance) : zone.force.value;
+    zone.area.error = force > 0 ? estimate(zone.area.value, area, tolerance) : zone.area.value;
+  }
+}
+
+// The first cell in contact on the border of the grid given, or beyond it, is an error.
+void check_border(const Grid& grid, const Grid& large, std::span<const double> pressure) {
+  for (int j = 0; j < large.ny; ++j) {
+    for (int i = 0; i < large.nx; ++i) {
+      const bool inner = i > 0 && j > 0 && i < grid.nx - 1 && j < grid.ny - 1;
+      if (inner || !(pressure[large.index(i, j)] > 0)) continue;
+      std::ostringstream text;
+      text << "contact touches the border of the grid at x = " << grid.x(std::min(i, grid.nx - 1))
+           << " m, y = " << grid.y(std::min(j, grid.ny - 1)) << " m: the grid must be larger than the contact";
+      throw std::domain_error(text.str());
+    }
+  }
+}
+
+std::vector<double> cropped(const Grid& grid, const Grid& large, std::span<const double> field, double factor) {
+  std::vector<double> result(grid.size());
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) result[grid.index(i, j)] = factor * field[large.index(i, j)];
+  }
+  return result;
+}
+
+void check_gap(const Grid& grid, Surface surface, std::span<const double> gap, const Press& press) {
+  Grid::of_cells(grid.nx, grid.ny, grid.dx, grid.dy);
+  if (gap.size() != grid.size()) refuse("gap.size()", static_cast<double>(gap.size()), "must be nx ny of the grid");
+  for (const double f : gap) require_finite("gap", f);
+  const double least = *std::ranges::min_element(gap);
+  if (press.prescribed == Prescribed::approach && !(press.value > least)) {
+    refuse("approach", press.value, "must exceed the least gap, or nothing touches");
+  }
+  if (surface == Surface::free) return;
+  if (grid.nx % 2 != 0) refuse("nx", grid.nx, "must be even on a periodic surface");
+  if (grid.ny % 2 != 0) refuse("ny", grid.ny, "must be even on a periodic surface");
+  if (press.prescribed == Prescribed::approach) {
+    refuse("approach", press.value, "must not be prescribed on a periodic surface: its mean displacement is infinite");
+  }
+}
+
+void check_start(const Grid& grid, Surface surface, const PressedHalfSpace* start) {
+  if (start == nullptr) return;
+  if (!(start->grid == grid) || start->surface != surface || start->pressure.size() != grid.size()) {
+    throw std::invalid_argument("the start belongs to another grid or surface");
+  }
+}
+
+// The earlier pressure, p / E*, on the extended grid.
+std::vector<double> extended_start(const Grid& large, const PressedHalfSpace& start) {
+  std::vector<double> pressure(large.size());
+  for (int j = 0; j < start.grid.ny; ++j) {
+    for (int i = 0; i < start.grid.nx; ++i) {
+      pressure[large.index(i, j)] = start.pressure[start.grid.index(i, j)] / start.contact_modulus;
+    }
+  }
+  return pressure;
+}
+
+// Takes the earlier pressure in place of the one from the coarser grid if its residual is smaller.
+void prefer_start(ContactSolver& solver, Prescribed prescribed, double value, std::vector<double> start,
+                  std::vector<double>& pressure) {
+  if (solver.residual_of(prescribed, value, start) < solver.residual_of(prescribed, value, pressure)) {
+    pressure = std::move(start);
+  }
+}
+
+}  // namespace
+
+Press Press::by_force(double force) { return {Prescribed::load, require_positive("force", force)}; }
+Press Press::by_approach(double approach) { return {Prescribed::approach, require_finite("approach", approach)}; }
+
+void PressSettings::check() const {
+  require_in("tolerance", tolerance, 1e-12, 1e-2);
+  require_in("max_iterations", max_iterations, 1, 1e6);
+  require_in("threads", threads, 1, Workers::most_threads);
+}
+
+PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<const double> gap,
+                                  double contact_modulus, const Press& press, const PressSettings& settings,
+                                  const PressedHalfSpace* start) {
+  settings.check();
+  require_positive("contact_modulus", contact_modulus);
+  check_gap(grid, surface, gap, press);
+  check_start(grid, surface, start);
+
+  std::vector<Level> levels = make_levels(grid, surface, gap);
+  if (start != nullptr) levels.erase(levels.begin(), levels.end() - 2);
+  const Level& last = levels.back();
+  const bool is_load = press.prescribed == Prescribed::load;
+
+  Workers workers(settings.threads);
+  Workers alone(1);
+  PressedHalfSpace result{};
+  Measured coarse, fine;
+  std::vector<double> coarse_pressure, pressure;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const Level& level = levels[k];
+    const bool finest = k + 1 == levels.size();
+    ContactSolver solver(level.grid, surface, level.gap, level.grid.size() < least_cells_for_threads ? alone : workers);
+    const double value = is_load ? press.value / contact_modulus / level.grid.cell_area() : press.value;
+
+    if (k > 0) {
+      coarse_pressure = std::exchange(pressure, refine_pressure(levels[k - 1].grid, surface, pressure));
+      if (start != nullptr) prefer_start(solver, press.prescribed, value, extended_start(last.grid, *start), pressure);
+    } else if (start != nullptr) {
+      pressure = coarsen_pressure(last.grid, extended_start(last.grid, *start));
+    } else {
+      pressure = cold_start(level, press);
+    }
+
+    const double tolerance = finest ? settings.tolerance : std::min(coarse_tolerance * settings.tolerance, 1e-2);
+    const SolverStatus status =
+        solver.solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);
+    result.residual = status.residual;
+    result.iterations = status.iterations;
+    result.all_iterations += status.iterations;
+    result.products += status.products * static_cast<double>(level.grid.size()) / static_cast<double>(last.grid.size());
+    if (finest && surface == Surface::free) check_border(grid, level.grid, pressure);
+    if (k + 2 >= levels.size()) {
+      coarse = std::exchange(fine, measure(level.grid, surface, pressure, status.approach));
+    }
+  }
+  estimate_zones(last.grid, fine, coarse, coarse_pressure, settings.tolerance);
+
+  const double modulus = contact_modulus;
+  const auto estimated = [&](double factor, double of_fine, double of_coarse) {
+    return Estimate{factor * of_fine, factor * estimate(of_fine, of_coarse, settings.tolerance)};
+  };
+  result.grid = grid;
+  result.surface = surface;
+  result.contact_modulus = modulus;
+  result.pressure = cropped(grid, last.grid, pressure, modulus);
+  result.force = is_load ? Estimate{press.value, 0} : estimated(modulus, fine.force, coarse.force);
+  result.approach = is_load ? estimated(1, fine.approach, coarse.approach) : Estimate{press.value, 0};
+  result.peak_pressure = estimated(modulus, fine.peak, coarse.peak);
+  result.area = estimated(1, fine.area, coarse.area);
+  result.counted_area = fine.counted_area;
+  result.zones = std::move(fine.zones);
+  for (ContactZone& zone : result.zones) {
+    zone.force = {modulus * zone.force.value, modulus * zone.force.error};
+    zone.peak_pressure *= modulus;
+    zone.x -= 0.5 * (last.grid.nx - grid.nx) * grid.dx;
+    zone.y -= 0.5 * (last.grid.ny - grid.ny) * grid.dy;
+  }
+  return result;
+}
+
+}  // namespace patchgrip::contact

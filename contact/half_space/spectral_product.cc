@@ -1,0 +1,198 @@
+#include <patchgrip/contact/half_space/spectral_product.h>
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <mutex>
+#include <new>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace patchgrip::contact {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int block = 4;         // columns that are copied together: a line of the cache
+constexpr int rows_at_once = 8;  // a part of the work for a thread
+constexpr int aligned = 4;       // complex numbers: rows and columns start on a line of the cache
+
+std::mutex& planner() {
+  static std::mutex lock;
+  return lock;
+}
+
+struct Plan {
+  template <class Make>
+  explicit Plan(const Make& make) {
+    const std::lock_guard guard(planner());
+    plan = make();
+    if (plan == nullptr) throw std::runtime_error("FFTW made no plan");
+  }
+  ~Plan() {
+    const std::lock_guard guard(planner());
+    fftw_destroy_plan(plan);
+  }
+  Plan(const Plan&) = delete;
+  Plan& operator=(const Plan&) = delete;
+
+  fftw_plan plan;
+};
+
+template <class Number>
+struct Buffer {
+  explicit Buffer(std::size_t count) : data(static_cast<Number*>(fftw_malloc(count * sizeof(Number)))) {
+    if (data == nullptr) throw std::bad_alloc();
+  }
+  ~Buffer() { fftw_free(data); }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  Number* data;
+};
+
+fftw_complex* raw(Complex* z) { return reinterpret_cast<fftw_complex*>(z); }
+
+std::size_t round_up(int n, int unit) { return static_cast<std::size_t>((n + unit - 1) / unit * unit); }
+
+// std::complex's product would test for infinities.
+Complex times(Complex z, Complex w) {
+  return {z.real() * w.real() - z.imag() * w.imag(), z.real() * w.imag() + z.imag() * w.real()};
+}
+
+}  // namespace
+
+struct SpectralProduct::Body {
+  Body(int columns, int rows, Padding padding, int threads)
+      : nx(columns),
+        ny(rows),
+        padded(padding == Padding::doubled),
+        mx(padded ? 2 * nx : nx),
+        my(padded ? 2 * ny : ny),
+        spectrum_columns(mx / 2 + 1),
+        row_size(round_up(mx, 2 * aligned)),
+        stride(round_up(spectrum_columns, block)),
+        column_size(round_up(ny, aligned) +
+                    aligned),  // not a power of two: columns of a block must not evict each other
+        halves(padded ? 2 : 1),
+        row_buffer(static_cast<std::size_t>(threads) * row_size),
+        spectrum(static_cast<std::size_t>(ny) * stride),
+        column_buffer(static_cast<std::size_t>(threads) * buffer_size()),
+        turn(static_cast<std::size_t>(ny)),
+        row_forward([this] { return fftw_plan_dft_r2c_1d(mx, row_buffer.data, raw(spectrum.data), FFTW_ESTIMATE); }),
+        row_back([this] { return fftw_plan_dft_c2r_1d(mx, raw(spectrum.data), row_buffer.data, FFTW_ESTIMATE); }),
+        column_forward([this] { return plan_column(FFTW_FORWARD); }),
+        column_back([this] { return plan_column(FFTW_BACKWARD); }) {
+    for (int j = 0; j < ny; ++j) turn[static_cast<std::size_t>(j)] = std::polar(1., -std::numbers::pi * j / ny);
+  }
+
+  // A block of columns, twice if padded, and one column of transforms.
+  std::size_t buffer_size() const noexcept { return static_cast<std::size_t>(halves * block + 1) * column_size; }
+
+  fftw_plan plan_column(int sign) const {
+    Complex* first = column_buffer.data;
+    return fftw_plan_dft_1d(ny, raw(first), raw(first + column_size), sign, FFTW_ESTIMATE);
+  }
+
+  Complex* spectrum_row(int j) const { return spectrum.data + static_cast<std::size_t>(j) * stride; }
+
+  void transform_row(int j, int thread, const double* x) const {
+    const double* from = x + static_cast<std::size_t>(j) * static_cast<std::size_t>(nx);
+    if (std::all_of(from, from + nx, [](double value) { return value == 0; })) {
+      std::fill_n(spectrum_row(j), spectrum_columns, Complex());
+      return;
+    }
+    double* row = row_buffer.data + static_cast<std::size_t>(thread) * row_size;
+    std::fill(std::copy_n(from, nx, row), row + mx, 0.);
+    fftw_execute_dft_r2c(row_forward.plan, row, raw(spectrum_row(j)));
+  }
+
+  void transform_row_back(int j, int thread, double* y) const {
+    double* row = row_buffer.data + static_cast<std::size_t>(thread) * row_size;
+    fftw_execute_dft_c2r(row_back.plan, raw(spectrum_row(j)), row);
+    std::copy_n(row, nx, y + static_cast<std::size_t>(j) * static_cast<std::size_t>(nx));
+  }
+
+  void filter_columns(int first, int thread, const double* symbol) const {
+    Complex* buffer = column_buffer.data + static_cast<std::size_t>(thread) * buffer_size();
+    Complex* even = buffer;
+    Complex* odd = even + static_cast<std::size_t>(block) * column_size;
+    Complex* transform = even + static_cast<std::size_t>(halves * block) * column_size;
+    for (int j = 0; j < ny; ++j) {
+      const Complex* from = spectrum_row(j) + first;
+      const auto row = static_cast<std::size_t>(j);
+      for (std::size_t c = 0; c < block; ++c) even[c * column_size + row] = from[c];
+      if (!padded) continue;
+      for (std::size_t c = 0; c < block; ++c) odd[c * column_size + row] = times(from[c], turn[row]);
+    }
+
+    for (int c = 0; c < std::min(block, spectrum_columns - first); ++c) {
+      const double* factors = symbol + static_cast<std::size_t>(first + c) * static_cast<std::size_t>(my / 2 + 1);
+      for (int half = 0; half < halves; ++half) {
+        Complex* column = (half == 0 ? even : odd) + static_cast<std::size_t>(c) * column_size;
+        fftw_execute_dft(column_forward.plan, raw(column), raw(transform));
+        for (int j = 0; j < ny; ++j) {
+          const int frequency = halves * j + half;
+          transform[j] *= factors[std::min(frequency, my - frequency)];
+        }
+        fftw_execute_dft(column_back.plan, raw(transform), raw(column));
+      }
+    }
+
+    for (int j = 0; j < ny; ++j) {
+      Complex* to = spectrum_row(j) + first;
+      const auto row = static_cast<std::size_t>(j);
+      for (std::size_t c = 0; c < block; ++c) to[c] = even[c * column_size + row];
+      if (!padded) continue;
+      for (std::size_t c = 0; c < block; ++c) to[c] += times(odd[c * column_size + row], std::conj(turn[row]));
+    }
+  }
+
+  int nx, ny;
+  bool padded;
+  int mx, my, spectrum_columns;
+  std::size_t row_size, stride, column_size;
+  int halves;
+  Buffer<double> row_buffer;
+  Buffer<Complex> spectrum, column_buffer;
+  std::vector<Complex> turn;  // exp(-i pi j / ny)
+  Plan row_forward, row_back, column_forward, column_back;
+};
+
+SpectralProduct::SpectralProduct(int nx, int ny, Padding padding, int threads)
+    : body_(std::make_unique<Body>(nx, ny, padding, threads)) {}
+SpectralProduct::~SpectralProduct() = default;
+SpectralProduct::SpectralProduct(SpectralProduct&&) noexcept = default;
+SpectralProduct& SpectralProduct::operator=(SpectralProduct&&) noexcept = default;
+
+int SpectralProduct::columns() const noexcept { return body_->spectrum_columns; }
+int SpectralProduct::rows() const noexcept { return body_->my / 2 + 1; }
+std::size_t SpectralProduct::symbol_size() const noexcept {
+  return static_cast<std::size_t>(rows()) * static_cast<std::size_t>(columns());
+}
+double SpectralProduct::normalisation() const noexcept { return static_cast<double>(body_->mx) * body_->my; }
+
+void SpectralProduct::apply(const double* symbol, const double* x, double* y, Workers& workers) {
+  const Body& body = *body_;
+  const auto each_row = [&](const auto& transform) {
+    workers.run((body.ny + rows_at_once - 1) / rows_at_once, [&](int part, int thread) {
+      const int end = std::min(body.ny, (part + 1) * rows_at_once);
+      for (int j = part * rows_at_once; j < end; ++j) transform(j, thread);
+    });
+  };
+  each_row([&](int j, int thread) { body.transform_row(j, thread, x); });
+  workers.run((body.spectrum_columns + block - 1) / block,
+              [&](int part, int thread) { body.filter_columns(part * block, thread, symbol); });
+  each_row([&](int j, int thread) { body.transform_row_back(j, thread, y); });
+}
+
+void cosine_transform(int columns, int rows, double* table) {
+  const Plan plan(
+      [&] { return fftw_plan_r2r_2d(rows, columns, table, table, FFTW_REDFT00, FFTW_REDFT00, FFTW_ESTIMATE); });
+  fftw_execute(plan.plan);
+}
+
+}  // namespace patchgrip::contact

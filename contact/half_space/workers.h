@@ -1,0 +1,61 @@
+// Threads that share the parts of a loop.
+//
+// run() hands out the parts 0 ... parts - 1 to its threads, the calling one among them, and returns when all are done.
+// Which thread takes which part is left to chance, so a part must not care: results then do not depend on the number of
+// threads. Nothing is allocated.
+//
+// Domain   1 <= threads <= 64; a part must not throw. run() is for one caller at a time.
+// Throws   std::invalid_argument outside the domain, std::system_error when a thread cannot be started.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace patchgrip::contact {
+
+class Workers {
+ public:
+  static constexpr int most_threads = 64;
+
+  explicit Workers(int threads);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  int count() const noexcept { return static_cast<int>(threads_.size()) + 1; }
+
+  // part(index, thread), thread in [0, count()).
+  template <class Part>
+  void run(int parts, const Part& part) {
+    if (threads_.empty() || parts <= 1) {
+      for (int i = 0; i < parts; ++i) part(i, 0);
+      return;
+    }
+    share(
+        parts,
+        [](const void* function, int index, int thread) { (*static_cast<const Part*>(function))(index, thread); },
+        std::addressof(part));
+  }
+
+ private:
+  using Call = void (*)(const void* part, int index, int thread);
+
+  void share(int parts, Call call, const void* part);
+  void take_parts(int thread);
+  void serve(int thread);
+  void stop() noexcept;
+
+  Call call_ = nullptr;
+  const void* part_ = nullptr;
+  int parts_ = 0;
+  std::atomic<int> next_ = 0;
+  std::atomic<int> busy_ = 0;
+  std::atomic<std::uint32_t> round_ = 0;  // a change wakes the threads
+  bool stopped_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace patchgrip::contact
