@@ -64,8 +64,8 @@ concept Profile = requires(const P& profile, double r, double a) {
 };
 
 // Load of the flat punches of radius x..x+dx, per dx and unit force; 0 < x <= a.
-template <Profile P, class Circle>
-double punch_load_density(const P& profile, double x, const Circle& a) {
+template <Profile P, class X, class Circle>
+double punch_load_density(const P& profile, const X& x, const Circle& a) {
   return 2 * x * profile.approach_slope(x) / profile.force(a);
 }
 
@@ -123,6 +123,9 @@ class AxisymmetricContact {
   double approach() const noexcept { return approach_; }        // delta
   double contact_modulus() const noexcept { return modulus_; }  // E*
   double stiffness() const { return 2 * modulus_ * radius_; }   // dF / d(delta)
+  double growth_exponent() const {                              // d ln F / d ln a
+    return radius_ * punch_load_density(circle_);
+  }
   double mean_pressure() const { return force_ / (std::numbers::pi * radius_ * radius_); }
 
   double pressure(double r) const { return r < radius_ ? modulus_ * profile_.pressure(r, circle_) : 0; }
@@ -130,7 +133,10 @@ class AxisymmetricContact {
   double gap(double r) const {
     return r > radius_ ? std::max(profile_.height(r) - approach_ + displacement(r), 0.) : 0;
   }
-  double punch_load_density(double x) const { return contact::punch_load_density(profile_, x, circle_); }
+  template <class X>
+  double punch_load_density(const X& x) const {
+    return contact::punch_load_density(profile_, x, circle_);
+  }
 
   // Bounds for the arguments of the factory, as if those were exact.
   double radius_error() const { return unit * errors_.radius * radius_; }

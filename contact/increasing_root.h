@@ -12,8 +12,8 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 
 namespace patchgrip::contact {
 
@@ -45,8 +45,9 @@ double increasing_root(const Value& value, const Slope& slope, double target, do
     if (next <= lo || next >= hi || std::fabs(step) < 0x1p-53) return next;
     x = next;
   }
-  throw std::runtime_error("contact radius not found: residual " + std::to_string(y / target - 1) + " at " +
-                           std::to_string(x) + " m");
+  std::ostringstream message;
+  message << "no root found: residual " << y / target - 1 << " at " << x;
+  throw std::runtime_error(message.str());
 }
 
 }  // namespace patchgrip::contact

@@ -1,15 +1,13 @@
 #include <patchgrip/contact/point_profile.h>
 
 #include <algorithm>
-#include <string>
 
+#include <patchgrip/contact/creep/numbered.h>
 #include <patchgrip/contact/increasing_root.h>
 #include <patchgrip/contact/require.h>
 
 namespace patchgrip::contact {
 namespace {
-
-std::string numbered(const char* name, std::size_t k) { return name + std::string("_") + std::to_string(k); }
 
 // The segment between two nodes that holds the target, then its root.
 template <class Value, class Slope>

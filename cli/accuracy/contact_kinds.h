@@ -59,5 +59,6 @@ std::span<const ContactKind> contact_kinds();
 
 // Its parts, one file each.
 std::span<const ContactKind> material_kinds();
+std::span<const ContactKind> round_kinds();
 
 }  // namespace patchgrip::cli
