@@ -1,3 +1,4 @@
+#include <patchgrip/contact/half_space/cell_mask.h>
 #include <patchgrip/contact/half_space/coarse_to_fine.h>
 #include <patchgrip/contact/half_space/neighbours.h>
 
@@ -12,27 +13,28 @@ namespace {
 std::vector<double> continued_square(const Grid& grid, Surface surface, std::span<const double> pressure) {
   std::vector<double> square(pressure.size());
   std::ranges::transform(pressure, square.begin(), [](double p) { return p * p; });
-  std::vector<char> known(pressure.size());
-  std::ranges::transform(pressure, known.begin(), [](double p) { return p > 0; });
 
   struct Value {
     std::size_t cell;
     double square;
   };
+  const CellMasks masks(grid, surface);
+  Mask known = masks.pressed(pressure);
   std::vector<Value> layer;
   for (int pass = 0; pass < 2; ++pass) {
+    const Mask next = masks.dilated(known);
     layer.clear();
     for (int j = 0; j < grid.ny; ++j) {
       for (int i = 0; i < grid.nx; ++i) {
-        if (known[grid.index(i, j)]) continue;
+        if (next[masks.index(i, j)] == known[masks.index(i, j)]) continue;
         double sum = 0;
         int count = 0;
         for (int dj = -1; dj <= 1; ++dj) {
           for (int di = -1; di <= 1; ++di) {
+            if (known[masks.index(i + di, j + dj)] == 0) continue;
             visit_cell(grid, surface, i + di, j + dj, [&](std::size_t near) {
-              if (!known[near]) return;
               visit_cell(grid, surface, i + 2 * di, j + 2 * dj, [&](std::size_t far) {
-                if (!known[far]) return;
+                if (!(square[far] > 0)) return;
                 sum += 2 * square[near] - square[far];
                 ++count;
               });
@@ -42,10 +44,8 @@ std::vector<double> continued_square(const Grid& grid, Surface surface, std::spa
         if (count > 0) layer.push_back({grid.index(i, j), std::min(sum / count, 0.)});
       }
     }
-    for (const auto& [cell, value] : layer) {
-      square[cell] = value;
-      known[cell] = true;
-    }
+    for (const auto& [cell, value] : layer) square[cell] = value;
+    known = next;
   }
   return square;
 }

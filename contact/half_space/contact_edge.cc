@@ -1,10 +1,12 @@
 #include <patchgrip/contact/half_space/contact_edge.h>
 #include <patchgrip/contact/half_space/neighbours.h>
+#include <patchgrip/contact/half_space/vector_clones.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace patchgrip::contact {
@@ -17,6 +19,8 @@ constexpr double least_pivot = 1e-10;
 
 constexpr std::size_t terms = 6;      // 1, u, v, u^2/2, uv, v^2/2
 constexpr std::size_t products = 24;  // of two terms, 21, filled up to whole vectors
+
+constexpr std::size_t most_offsets = 225;  // (2 most_radius + 1)^2, more than there are in the disc
 
 struct Offset {
   int u, v;
@@ -53,8 +57,30 @@ struct Disc {
   }
 };
 
+struct Sample {
+  const Offset* offset;
+  double value;
+};
+
+// Normal equations of the fit.
+struct Normal {
+  std::array<double, products> matrix{};
+  std::array<double, 8> right{};
+};
+
+PATCHGRIP_VECTOR_CLONES void add_samples(std::size_t count, const Sample* samples, Normal& normal) {
+  Normal sum = normal;
+  for (std::size_t n = 0; n < count; ++n) {
+    const Offset& offset = *samples[n].offset;
+    for (std::size_t k = 0; k < products; ++k) sum.matrix[k] += offset.product[k];
+    for (std::size_t k = 0; k < 8; ++k) sum.right[k] += samples[n].value * offset.term[k];
+  }
+  normal = sum;
+}
+
 // First unknown of the normal equations, by Cholesky's factors; false if they are nearly singular.
-bool solve_first(std::array<double, products> matrix, std::array<double, 8> right, double& first) {
+bool solve_first(Normal normal, double& first) {
+  auto& [matrix, right] = normal;
   const auto at = [&](std::size_t r, std::size_t s) -> double& { return matrix[r * (r + 1) / 2 + s]; };
   // From the last term to the first, so that the first unknown needs no substitution back.
   for (std::size_t k = terms; k-- > 1;) {
@@ -73,36 +99,53 @@ bool solve_first(std::array<double, products> matrix, std::array<double, 8> righ
 class LevelSet {
  public:
   LevelSet(const Grid& grid, Surface surface, std::span<const double> pressure, const ZoneMap& map)
-      : grid_(grid), surface_(surface), map_(map), square_(grid.size()), phi_(grid.size()) {
-    const double peak = *std::ranges::max_element(pressure);
+      : grid_(grid),
+        surface_(surface),
+        pressure_(pressure),
+        map_(map),
+        per_peak_(1 / *std::ranges::max_element(pressure)),
+        zones_(static_cast<std::size_t>(map.count)),
+        phi_(grid.size()) {
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-      const double p = pressure[cell] / peak;
-      square_[cell] = p > 0 ? p * p : -std::numeric_limits<double>::min();
+      phi_[cell] = pressure[cell] > 0 ? square(cell) : -std::numeric_limits<double>::min();
     }
-    phi_ = square_;
   }
 
-  std::vector<ZoneArea> areas(std::span<const double> pressure) {
-    std::vector<ZoneArea> result(static_cast<std::size_t>(map_.count), {0, true});
-    fit_layer(1, result);
-    fit_layer(-1, result);
-    fit_layer(2, result);
-    fit_layer(-2, result);
+  std::vector<ZoneArea> areas() {
+    fit_layer(1);
+    fit_layer(-1);
+    fit_layer(2);
+    fit_layer(-2);
+    std::vector<ZoneArea> result(zones_.size());
     add_squares(result);
-    std::vector<double> counted(result.size());
     for (std::size_t cell = 0; cell < grid_.size(); ++cell) {
-      if (pressure[cell] > 0) counted[static_cast<std::size_t>(map_.zone[cell])] += grid_.cell_area();
+      if (!(pressure_[cell] > 0)) continue;
+      Zone& zone = zones_[static_cast<std::size_t>(map_.zone[cell])];
+      ++zone.cells;
+      if (map_.layer[cell] == 1) ++zone.edge_cells;
     }
-    for (std::size_t zone = 0; zone < result.size(); ++zone) {
-      result[zone].area = result[zone].resolved ? result[zone].area * grid_.cell_area() : counted[zone];
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const Zone& zone = zones_[k];
+      const int unfitted = std::min(zone.unfitted, zone.edge_cells);
+      result[k].resolved = 2 * unfitted <= zone.edge_cells;
+      const double edge = result[k].resolved ? edge_error * (zone.edge_cells - unfitted) + counted_edge_error * unfitted
+                                             : counted_edge_error * zone.edge_cells;
+      constexpr double per_edge_cell = std::numbers::pi / 4;  // a circle of r cells has 8 r cells in its outer layer
+      result[k].area = grid_.cell_area() * (result[k].resolved ? result[k].area : zone.cells);
+      result[k].error = grid_.cell_area() * per_edge_cell * edge;
     }
     return result;
   }
 
  private:
-  // Fits phi in a layer; in the second layers only where the edge has crossed the first. Where phi cannot be fitted, or does
-  // not fall to zero within the layers outside, the zone is not resolved.
-  void fit_layer(int layer, std::vector<ZoneArea>& result) {
+  double square(std::size_t cell) const noexcept {
+    const double p = per_peak_ * pressure_[cell];
+    return p * p;
+  }
+
+  // Fits phi in a layer; in the second layers only where the edge has crossed the first. Where that fails, or phi does not
+  // fall to zero within the layers outside, phi stays what it was: the edge is then that of the cells.
+  void fit_layer(int layer) {
     for (int j = 0; j < grid_.ny; ++j) {
       for (int i = 0; i < grid_.nx; ++i) {
         const std::size_t cell = grid_.index(i, j);
@@ -113,9 +156,11 @@ class LevelSet {
         }
         if (!needed) continue;
         double value = 0;
-        const bool fitted = fit(i, j, value);
-        if (!fitted || (layer == -2 && value > 0)) result[static_cast<std::size_t>(map_.zone[cell])].resolved = false;
-        if (fitted) phi_[cell] = value;
+        if (fit(i, j, value) && !(layer == -2 && value > 0)) {
+          phi_[cell] = value;
+        } else {
+          ++zones_[static_cast<std::size_t>(map_.zone[cell])].unfitted;
+        }
       }
     }
   }
@@ -123,19 +168,17 @@ class LevelSet {
   bool fit(int i, int j, double& value) const {
     static const Disc disc;
     const int zone = map_.zone[grid_.index(i, j)];
-    std::array<double, products> matrix{};
-    std::array<double, 8> right{};
+    std::array<Sample, most_offsets> samples;
+    Normal normal{};
+    std::size_t next = 0;
     int cells = 0;
-    const auto add = [&](const Offset& offset, std::size_t cell) {
-      if (map_.layer[cell] <= skipped_layers || map_.zone[cell] != zone) return;
-      ++cells;
-      for (std::size_t k = 0; k < products; ++k) matrix[k] += offset.product[k];
-      for (std::size_t k = 0; k < 8; ++k) right[k] += square_[cell] * offset.term[k];
-    };
     const bool inside =
         i >= most_radius && j >= most_radius && i + most_radius < grid_.nx && j + most_radius < grid_.ny;
-    std::size_t next = 0;
     for (int radius = least_radius; radius <= most_radius; ++radius) {
+      std::size_t count = 0;
+      const auto add = [&](const Offset& offset, std::size_t cell) {
+        if (map_.layer[cell] > skipped_layers && map_.zone[cell] == zone) samples[count++] = {&offset, square(cell)};
+      };
       for (; next < disc.counts[static_cast<std::size_t>(radius)]; ++next) {
         const Offset& offset = disc.offsets[next];
         if (inside) {
@@ -144,7 +187,9 @@ class LevelSet {
           visit_cell(grid_, surface_, i + offset.u, j + offset.v, [&](std::size_t cell) { add(offset, cell); });
         }
       }
-      if (cells >= least_cells && solve_first(matrix, right, value)) return true;
+      add_samples(count, samples.data(), normal);
+      cells += static_cast<int>(count);
+      if (cells >= least_cells && solve_first(normal, value)) return true;
     }
     return false;
   }
@@ -158,6 +203,11 @@ class LevelSet {
         const int right = (i + 1) % grid_.nx;
         const std::array corners{grid_.index(i, j), grid_.index(right, j), grid_.index(right, above),
                                  grid_.index(i, above)};
+        if (map_.layer[corners[0]] == 0) continue;
+        if (std::ranges::all_of(corners, [&](std::size_t corner) { return map_.layer[corner] > skipped_layers; })) {
+          result[static_cast<std::size_t>(map_.zone[corners[0]])].area += 1;
+          continue;
+        }
         std::size_t highest = corners[0];
         double least = phi_[corners[0]];
         for (const std::size_t corner : corners) {
@@ -195,8 +245,14 @@ class LevelSet {
 
   const Grid& grid_;
   Surface surface_;
+  std::span<const double> pressure_;
   const ZoneMap& map_;
-  std::vector<double> square_, phi_;
+  double per_peak_;
+  struct Zone {
+    int cells = 0, edge_cells = 0, unfitted = 0;
+  };
+  std::vector<Zone> zones_;
+  std::vector<double> phi_;
 };
 
 }  // namespace
@@ -204,7 +260,7 @@ class LevelSet {
 std::vector<ZoneArea> zone_areas(const Grid& grid, Surface surface, std::span<const double> pressure,
                                  const ZoneMap& map) {
   if (map.count == 0) return {};
-  return LevelSet(grid, surface, pressure, map).areas(pressure);
+  return LevelSet(grid, surface, pressure, map).areas();
 }
 
 }  // namespace patchgrip::contact

@@ -5,11 +5,11 @@
 // within a radius of 4 (up to 7 where there are fewer than 9) that lie more than two layers inside: the two outermost
 // layers carry too much pressure. The area is that of phi > 0, linear on the triangles between cell centres.
 //
-// Error    Hertz, contact radius 0.4 of the grid's width: 7e-4, 3.5e-4, 2.5e-4, 1e-4 at 64, 128, 256, 512 cells a side;
-//          counted cells: 1e-2, 4e-3, 1.5e-3, 1e-3.
-// Fails    where a zone is too narrow to fit (about 8 cells), and where p does not fall to zero at the edge (a punch):
-//          its area is then that of the cells with p > 0, and resolved is false. Zones closer than five cells disturb each
-//          other.
+// Error    an estimate: perimeter times cell times edge_error (fitted) or counted_edge_error. On Hertz' contact right within
+//          a factor 3 from 64 cells across the grid on (25 across the radius); tests/contact/contact_edge_test.cc.
+// Fails    where a zone is too narrow to fit (about 8 cells), and where p does not fall to zero at the edge (a punch). Where
+//          that is so along more than half of the edge, the area is that of the cells with p > 0, and resolved is false.
+//          Zones closer than five cells disturb each other.
 // Units    areas [m^2]; the scale of p does not matter.
 #pragma once
 
@@ -22,8 +22,13 @@
 
 namespace patchgrip::contact {
 
+// Where the edge is, in cells, of a circular contact: measured on Hertz' at 64 to 512 cells a side.
+inline constexpr double edge_error = 1. / 150;
+inline constexpr double counted_edge_error = 1. / 6;
+
 struct ZoneArea {
   double area;
+  double error;   // estimated
   bool resolved;  // to a fraction of a cell
 };
 

@@ -1,4 +1,5 @@
 #include <patchgrip/contact/half_space/love_kernel.h>
+#include <patchgrip/contact/half_space/vector_clones.h>
 #include <patchgrip/contact/require.h>
 
 #include <algorithm>
@@ -10,24 +11,26 @@ namespace {
 
 using Long = long double;
 
-// Mean of 1/|P - Q| over the rectangle's points Q, times 4ab: multipoles of order 2, 4 and 6, from the derivatives of
-// 1/r, which is harmonic in space but not in the plane. Truncated at relative order (c / r)^8, c = hypot(a, b).
-template <class Scalar>
-Scalar far_integral(Scalar a, Scalar b, Scalar x, Scalar y) {
-  const Scalar r2 = x * x + y * y;
-  const Scalar c2 = x * x / r2, s2 = y * y / r2;  // squared cosine and sine of the direction
-  const Scalar A = a * a / r2, B = b * b / r2;
+// Integral of 1/|P - Q| over the rectangle's points Q as a series of multipoles, up to the order 4 or 6, from the
+// derivatives of 1/r, which is harmonic in space but not in the plane. The next order is (c / r)^6 or (c / r)^8,
+// c = hypot(a, b).
+template <int order, class Scalar>
+[[gnu::always_inline]] inline Scalar far_integral(Scalar a, Scalar b, Scalar x, Scalar y) {
+  const Scalar r2 = x * x + y * y, reciprocal = 1 / r2;
+  const Scalar c2 = x * x * reciprocal, s2 = y * y * reciprocal;  // squared cosine and sine of the direction
+  const Scalar A = a * a * reciprocal, B = b * b * reciprocal;
   // Mean of r / |P - Q| = sum over m, n of A^m B^n d^(2m+2n)(1/r) / ((2m+1)! (2n+1)!) in x^(2m) y^(2n), r = 1.
-  const Scalar xx = 3 * c2 - 1, yy = 3 * s2 - 1;
-  const Scalar xxxx = (105 * c2 - 90) * c2 + 9, yyyy = (105 * s2 - 90) * s2 + 9;
-  const Scalar xxyy = 105 * c2 * s2 - 12;
-  const Scalar x6 = ((10395 * c2 - 14175) * c2 + 4725) * c2 - 225, y6 = ((10395 * s2 - 14175) * s2 + 4725) * s2 - 225;
-  const Scalar x4y2 = (10395 * c2 * c2 - 5670 * c2 + 315) * s2 - (945 * c2 * c2 - 630 * c2 + 45);
-  const Scalar x2y4 = (10395 * s2 * s2 - 5670 * s2 + 315) * c2 - (945 * s2 * s2 - 630 * s2 + 45);
-  const Scalar second = (A * xx + B * yy) / 6;
+  const Scalar second = (A * (3 * c2 - 1) + B * (3 * s2 - 1)) / 6;
+  const Scalar xxxx = (105 * c2 - 90) * c2 + 9, yyyy = (105 * s2 - 90) * s2 + 9, xxyy = 105 * c2 * s2 - 12;
   const Scalar fourth = (A * A * xxxx + B * B * yyyy) / 120 + A * B * xxyy / 36;
-  const Scalar sixth = (A * A * A * x6 + B * B * B * y6) / 5040 + A * B * (A * x4y2 + B * x2y4) / 720;
-  return 4 * a * b / std::sqrt(r2) * (1 + second + fourth + sixth);
+  Scalar sum = second + fourth;
+  if constexpr (order == 6) {
+    const Scalar x6 = ((10395 * c2 - 14175) * c2 + 4725) * c2 - 225, y6 = ((10395 * s2 - 14175) * s2 + 4725) * s2 - 225;
+    const Scalar x4y2 = (10395 * c2 * c2 - 5670 * c2 + 315) * s2 - (945 * c2 * c2 - 630 * c2 + 45);
+    const Scalar x2y4 = (10395 * s2 * s2 - 5670 * s2 + 315) * c2 - (945 * s2 * s2 - 630 * s2 + 45);
+    sum += (A * A * A * x6 + B * B * B * y6) / 5040 + A * B * (A * x4y2 + B * x2y4) / 720;
+  }
+  return 4 * a * b / std::sqrt(r2) * (1 + sum);
 }
 
 // asinh(right / h) - asinh(left / h), right > left, h >= 0: the potential of a line at the distance h. No difference of
@@ -60,7 +63,19 @@ Long near_integral(Long a, Long b, Long x, Long y) {
 
 Long integral(Long a, Long b, Long x, Long y) {
   if (a < b) return integral(b, a, y, x);
-  return std::hypot(x, y) > 100 * a ? far_integral(a, b, x, y) : near_integral(a, b, x, y);
+  return std::hypot(x, y) > 100 * a ? far_integral<6>(a, b, x, y) : near_integral(a, b, x, y);
+}
+
+// Cells begin ... end - 1 of a row of the table.
+template <int order>
+[[gnu::always_inline]] inline void fill_far(const Grid& grid, double y, int begin, int end, double* row) {
+  const double a = grid.dx / 2, b = grid.dy / 2, dx = grid.dx;
+  for (int i = begin; i < end; ++i) row[i] = far_integral<order>(a, b, i * dx, y) * (1 / std::numbers::pi);
+}
+
+PATCHGRIP_VECTOR_CLONES void fill_far_row(const Grid& grid, double y, int begin, int middle, int end, double* row) {
+  fill_far<6>(grid, y, begin, middle, row);
+  fill_far<4>(grid, y, middle, end, row);
 }
 
 }  // namespace
@@ -75,17 +90,18 @@ double love_displacement(double pressure, double contact_modulus, double half_x,
 }
 
 void fill_love_table(const Grid& grid, int columns, int rows, double* table) {
-  // Where double loses as much to the four corners as the multipoles lose to truncation.
-  constexpr int near = 24;
-  const double a = grid.dx / 2, b = grid.dy / 2;
-  const double reach = near * std::max(grid.dx, grid.dy);
-  const int near_columns = std::min(columns, static_cast<int>(reach / grid.dx));
-  const int near_rows = std::min(rows, static_cast<int>(reach / grid.dy));
+  // Where double loses as much to the four corners as the multipoles lose to truncation, and where four orders do.
+  constexpr int near = 24, far = 100;
+  const double cell = std::max(grid.dx, grid.dy);
+  const auto within = [&](int distance, double step, int most) {
+    return std::min(most, static_cast<int>(distance * cell / step));
+  };
+  const int near_columns = within(near, grid.dx, columns), near_rows = within(near, grid.dy, rows);
+  const int far_columns = within(far, grid.dx, columns), far_rows = within(far, grid.dy, rows);
   for (int j = 0; j < rows; ++j) {
-    double* row = table + static_cast<std::ptrdiff_t>(j) * columns;
-    for (int i = j < near_rows ? near_columns : 0; i < columns; ++i) {
-      row[i] = far_integral(a, b, i * grid.dx, j * grid.dy) / std::numbers::pi;
-    }
+    const int begin = j < near_rows ? near_columns : 0;
+    const int middle = j < far_rows ? std::max(begin, far_columns) : begin;
+    fill_far_row(grid, j * grid.dy, begin, middle, columns, table + static_cast<std::ptrdiff_t>(j) * columns);
   }
 
   // Neighbours share corners, none on an axis; T is odd in X and in Y.

@@ -14,9 +14,11 @@
 namespace patchgrip::contact {
 namespace {
 
-constexpr int coarsest_cells = 32;       // a side of the first grid has at least so many, if there is a choice
-constexpr double coarse_tolerance = 30;  // of the one asked for
-constexpr double order_factor = 2.4;     // 2^order - 1 of what is measured on Hertz' contact
+constexpr int coarsest_cells = 32;        // a side of the first grid has at least so many, if there is a choice
+constexpr double coarse_tolerance = 30;   // of the one asked for
+constexpr double estimate_tolerance = 4;  // the same, of the grid that the errors are estimated from
+constexpr double order_factor = 2.4;      // 2^order - 1 of what is measured on Hertz' contact
+constexpr double solver_error = 0.3;      // of the force, relative, in tolerances
 constexpr int least_cells_for_threads = 100 * 100;
 
 struct Level {
@@ -72,7 +74,7 @@ std::vector<double> cold_start(const Level& level, const Press& press) {
 
 // What is measured on one grid, in p / E*.
 struct Measured {
-  double force = 0, approach = 0, peak = 0, area = 0, counted_area = 0;
+  double force = 0, approach = 0, peak = 0, area = 0, area_error = 0, counted_area = 0;
   ZoneMap map;
   std::vector<ContactZone> zones;
 };
@@ -80,8 +82,9 @@ struct Measured {
 Measured measure(const Grid& grid, Surface surface, std::span<const double> pressure, double approach) {
   Measured result{.approach = approach, .map = map_zones(grid, surface, pressure), .zones = {}};
   for (const ZoneArea& zone : zone_areas(grid, surface, pressure, result.map)) {
-    result.zones.push_back({{0, 0}, {zone.area, 0}, 0, zone.resolved, 0, 0, 0});
+    result.zones.push_back({{0, 0}, {zone.area, zone.error}, 0, zone.resolved, 0, 0, 0});
     result.area += zone.area;
+    result.area_error += zone.error;
   }
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
@@ -106,7 +109,7 @@ Measured measure(const Grid& grid, Surface surface, std::span<const double> pres
 }
 
 double estimate(double fine, double coarse, double tolerance) {
-  return std::abs(fine - coarse) / order_factor + tolerance * std::abs(fine);
+  return std::abs(fine - coarse) / order_factor + solver_error * tolerance * std::abs(fine);
 }
 
 // The zones of the coarser grid are those of the finer one that lie around their highest cell.
@@ -132,7 +135,8 @@ void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coars
     const auto [force, area] = coarse_values[k];
     ContactZone& zone = fine.zones[k];
     zone.force.error = force > 0 ? estimate(zone.force.value, force, tolerance) : zone.force.value;
-    zone.area.error = force > 0 ? estimate(zone.area.value, area, tolerance) : zone.area.value;
+    zone.area.error =
+        force > 0 ? std::max(zone.area.error, std::abs(zone.area.value - area) / order_factor) : zone.area.value;
   }
 }
 
@@ -244,7 +248,9 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
       pressure = cold_start(level, press);
     }
 
-    const double tolerance = finest ? settings.tolerance : std::min(coarse_tolerance * settings.tolerance, 1e-2);
+    // The last but one is half of the error estimate.
+    const double factor = k + 1 == levels.size() ? 1 : k + 2 == levels.size() ? estimate_tolerance : coarse_tolerance;
+    const double tolerance = factor * settings.tolerance;
     const SolverStatus status =
         solver.solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);
     result.residual = status.residual;
@@ -269,14 +275,14 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   result.force = is_load ? Estimate{press.value, 0} : estimated(modulus, fine.force, coarse.force);
   result.approach = is_load ? estimated(1, fine.approach, coarse.approach) : Estimate{press.value, 0};
   result.peak_pressure = estimated(modulus, fine.peak, coarse.peak);
-  result.area = estimated(1, fine.area, coarse.area);
+  result.area = {fine.area, std::max(fine.area_error, std::abs(fine.area - coarse.area) / order_factor)};
   result.counted_area = fine.counted_area;
   result.zones = std::move(fine.zones);
   for (ContactZone& zone : result.zones) {
     zone.force = {modulus * zone.force.value, modulus * zone.force.error};
     zone.peak_pressure *= modulus;
-    zone.x -= 0.5 * (last.grid.nx - grid.nx) * grid.dx;
-    zone.y -= 0.5 * (last.grid.ny - grid.ny) * grid.dy;
+    zone.x += 0.5 * (last.grid.nx - grid.nx) * grid.dx;
+    zone.y += 0.5 * (last.grid.ny - grid.ny) * grid.dy;
   }
   return result;
 }

@@ -6,7 +6,7 @@
 // A = {p > 0 or g < 0} (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13, 2002); in it K p = delta - f by conjugate
 // gradients, preconditioned (preconditioner.h) and stopped early, p free to turn negative until they stop. A given load is
 // kept by projection of the directions. One product with K a step; g is kept by recursion, and formed anew whenever p was
-// cut at zero and before a result is reported.
+// cut at zero, and at the end if rounding could matter.
 //
 // Converged when    residual = max(rms of g over A, largest -g outside) / s <= tolerance,
 //                   s = max(delta - least f, standard deviation of f over A).

@@ -1,18 +1,13 @@
 #include <patchgrip/contact/half_space/solver_kernels.h>
+#include <patchgrip/contact/half_space/vector_clones.h>
 
 #include <algorithm>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define PATCHGRIP_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define PATCHGRIP_CLONES
-#endif
-
 namespace patchgrip::contact::kernels {
 
-PATCHGRIP_CLONES Tally choose_set(std::size_t n, double add_gap, double approach, double least_gap,
-                                  const double* __restrict gap, const double* __restrict p, double* __restrict g,
-                                  double* __restrict on, double* __restrict r) noexcept {
+PATCHGRIP_VECTOR_CLONES Tally choose_set(std::size_t n, double add_gap, double approach, double least_gap,
+                                         const double* __restrict gap, const double* __restrict p, double* __restrict g,
+                                         double* __restrict on, double* __restrict r) noexcept {
   double changes = 0, size = 0, pressed_squares = 0, pressed = 0, squares = 0, heights = 0, height_squares = 0;
   double overlap = 0;
 #pragma omp simd reduction(+ : changes, size, pressed_squares, pressed, squares, heights, height_squares) \
@@ -36,8 +31,9 @@ PATCHGRIP_CLONES Tally choose_set(std::size_t n, double add_gap, double approach
   return {{changes, size, pressed_squares, pressed, squares, heights, height_squares}, overlap};
 }
 
-PATCHGRIP_CLONES Tally project(std::size_t n, double shift, const double* __restrict uniform,
-                               const double* __restrict on, const double* __restrict g, double* __restrict z) noexcept {
+PATCHGRIP_VECTOR_CLONES Tally project(std::size_t n, double shift, const double* __restrict uniform,
+                                      const double* __restrict on, const double* __restrict g,
+                                      double* __restrict z) noexcept {
   double sum = 0;
   if (shift == 0) {
 #pragma omp simd reduction(+ : sum)
@@ -55,7 +51,8 @@ PATCHGRIP_CLONES Tally project(std::size_t n, double shift, const double* __rest
   return {{sum}};
 }
 
-PATCHGRIP_CLONES void turn(std::size_t n, double beta, const double* __restrict z, double* __restrict d) noexcept {
+PATCHGRIP_VECTOR_CLONES void turn(std::size_t n, double beta, const double* __restrict z,
+                                  double* __restrict d) noexcept {
   if (beta == 0) {
     std::copy_n(z, n, d);
     return;
@@ -64,8 +61,8 @@ PATCHGRIP_CLONES void turn(std::size_t n, double beta, const double* __restrict 
   for (std::size_t i = 0; i < n; ++i) d[i] = z[i] + beta * d[i];
 }
 
-PATCHGRIP_CLONES Tally slopes(std::size_t n, const double* __restrict d, const double* __restrict g,
-                              const double* __restrict Kd) noexcept {
+PATCHGRIP_VECTOR_CLONES Tally slopes(std::size_t n, const double* __restrict d, const double* __restrict g,
+                                     const double* __restrict Kd) noexcept {
   double slope = 0, curvature = 0;
 #pragma omp simd reduction(+ : slope, curvature)
   for (std::size_t i = 0; i < n; ++i) {
@@ -75,9 +72,9 @@ PATCHGRIP_CLONES Tally slopes(std::size_t n, const double* __restrict d, const d
   return {{slope, curvature}};
 }
 
-PATCHGRIP_CLONES Tally advance(std::size_t n, double length, double shift, const double* __restrict d,
-                               const double* __restrict on, double* __restrict p, double* __restrict g,
-                               double* __restrict Kd) noexcept {
+PATCHGRIP_VECTOR_CLONES Tally advance(std::size_t n, double length, double shift, const double* __restrict d,
+                                      const double* __restrict on, double* __restrict p, double* __restrict g,
+                                      double* __restrict Kd) noexcept {
   double squares = 0;
 #pragma omp simd reduction(+ : squares)
   for (std::size_t i = 0; i < n; ++i) {
@@ -89,7 +86,7 @@ PATCHGRIP_CLONES Tally advance(std::size_t n, double length, double shift, const
   return {{squares}};
 }
 
-PATCHGRIP_CLONES Tally cut(std::size_t n, double* __restrict p) noexcept {
+PATCHGRIP_VECTOR_CLONES Tally cut(std::size_t n, double* __restrict p) noexcept {
   double negative = 0, sum = 0;
 #pragma omp simd reduction(+ : negative, sum)
   for (std::size_t i = 0; i < n; ++i) {
@@ -100,14 +97,15 @@ PATCHGRIP_CLONES Tally cut(std::size_t n, double* __restrict p) noexcept {
   return {{negative, sum}};
 }
 
-PATCHGRIP_CLONES Tally masked_sum(std::size_t n, const double* __restrict on, const double* __restrict z) noexcept {
+PATCHGRIP_VECTOR_CLONES Tally masked_sum(std::size_t n, const double* __restrict on,
+                                         const double* __restrict z) noexcept {
   double sum = 0;
 #pragma omp simd reduction(+ : sum)
   for (std::size_t i = 0; i < n; ++i) sum += on[i] * z[i];
   return {{sum}};
 }
 
-PATCHGRIP_CLONES Tally mask(std::size_t n, const double* __restrict on, double* __restrict z) noexcept {
+PATCHGRIP_VECTOR_CLONES Tally mask(std::size_t n, const double* __restrict on, double* __restrict z) noexcept {
   double sum = 0;
 #pragma omp simd reduction(+ : sum)
   for (std::size_t i = 0; i < n; ++i) {
@@ -117,8 +115,8 @@ PATCHGRIP_CLONES Tally mask(std::size_t n, const double* __restrict on, double* 
   return {{sum}};
 }
 
-PATCHGRIP_CLONES Tally weighted_gap(std::size_t n, const double* __restrict p, const double* __restrict g,
-                                    const double* __restrict gap) noexcept {
+PATCHGRIP_VECTOR_CLONES Tally weighted_gap(std::size_t n, const double* __restrict p, const double* __restrict g,
+                                           const double* __restrict gap) noexcept {
   double moment = 0, sum = 0;
 #pragma omp simd reduction(+ : moment, sum)
   for (std::size_t i = 0; i < n; ++i) {
@@ -128,7 +126,7 @@ PATCHGRIP_CLONES Tally weighted_gap(std::size_t n, const double* __restrict p, c
   return {{moment, sum}};
 }
 
-PATCHGRIP_CLONES void scale(std::size_t n, double factor, double* __restrict p) noexcept {
+PATCHGRIP_VECTOR_CLONES void scale(std::size_t n, double factor, double* __restrict p) noexcept {
 #pragma omp simd
   for (std::size_t i = 0; i < n; ++i) p[i] *= factor;
 }

@@ -1,4 +1,5 @@
 #include <patchgrip/contact/half_space/spectral_product.h>
+#include <patchgrip/contact/half_space/vector_clones.h>
 
 #include <fftw3.h>
 
@@ -116,7 +117,7 @@ struct SpectralProduct::Body {
     std::copy_n(row, nx, y + static_cast<std::size_t>(j) * static_cast<std::size_t>(nx));
   }
 
-  void filter_columns(int first, int thread, const double* symbol) const {
+  PATCHGRIP_VECTOR_CLONES void filter_columns(int first, int thread, const double* symbol) const {
     Complex* buffer = column_buffer.data + static_cast<std::size_t>(thread) * buffer_size();
     Complex* even = buffer;
     Complex* odd = even + static_cast<std::size_t>(block) * column_size;
@@ -134,10 +135,10 @@ struct SpectralProduct::Body {
       for (int half = 0; half < halves; ++half) {
         Complex* column = (half == 0 ? even : odd) + static_cast<std::size_t>(c) * column_size;
         fftw_execute_dft(column_forward.plan, raw(column), raw(transform));
-        for (int j = 0; j < ny; ++j) {
-          const int frequency = halves * j + half;
-          transform[j] *= factors[std::min(frequency, my - frequency)];
-        }
+        // Frequencies up to my / 2, then the same ones back.
+        const int middle = (my / 2 - half) / halves + 1;
+        for (int j = 0; j < middle; ++j) transform[j] *= factors[halves * j + half];
+        for (int j = middle; j < ny; ++j) transform[j] *= factors[my - halves * j - half];
         fftw_execute_dft(column_back.plan, raw(transform), raw(column));
       }
     }

@@ -8,6 +8,9 @@
 #include <random>
 #include <vector>
 
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+
 #include <patchgrip/contact/half_space/grid.h>
 #include <patchgrip/tests/support/cases.h>
 
@@ -25,8 +28,18 @@ struct HertzEllipse {
   double approach, force, area;
 };
 
-// Semi-axes 1 and `ratio`, turned by `angle`, p_0 = 1: by Gauss-Legendre quadrature of the potential of the ellipsoid.
-HertzEllipse hertz_ellipse(double ratio, double angle);
+// Semi-axes 1 and `ratio`, turned by `angle`, p_0 = 1: gap and approach from the potential of an ellipsoid (Johnson 3.65).
+inline HertzEllipse hertz_ellipse(double ratio, double angle) {
+  const double square = ratio * ratio;
+  const double along = ratio / 3 * boost::math::ellint_rd(0., square, 1.);
+  const double across = ratio / 3 * boost::math::ellint_rd(0., 1., square);
+  const auto gap = [=](double x, double y) {
+    const double u = std::cos(angle) * x + std::sin(angle) * y, v = std::cos(angle) * y - std::sin(angle) * x;
+    return along * u * u + across * v * v;
+  };
+  return {gap, ratio * boost::math::ellint_rf(0., square, 1.), 2. / 3. * std::numbers::pi * ratio,
+          std::numbers::pi * ratio};
+}
 
 // The lower envelope of up to six paraboloids or quartics of very different widths, somewhere in |x|, |y| < 1.
 inline GapFunction random_shape(std::mt19937_64& engine) {

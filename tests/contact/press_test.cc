@@ -1,0 +1,462 @@
+#include <patchgrip/contact/half_space/press.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <patchgrip/tests/contact/half_space_shapes.h>
+
+namespace patchgrip::contact {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+PressSettings with_tolerance(double tolerance) {
+  PressSettings settings;
+  settings.tolerance = tolerance;
+  return settings;
+}
+
+PressedHalfSpace press(const Grid& grid, const GapFunction& gap, const Press& press,
+                       const PressSettings& settings = {}) {
+  return press_half_space(grid, Surface::free, sample(grid, gap), 1, press, settings);
+}
+
+// The complementarity that the pressure must satisfy, from products of its own: p >= 0, u + f - delta >= 0, not both > 0.
+double violation(const PressedHalfSpace& result, const std::vector<double>& gap) {
+  const auto u = half_space_displacement(result.grid, result.surface, result.pressure, result.contact_modulus);
+  double squares = 0, count = 0, overlap = 0;
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    EXPECT_GE(result.pressure[k], 0);
+    const double g = u[k] + gap[k] - result.approach.value;
+    if (result.pressure[k] > 0) squares += g * g, ++count;
+    if (result.pressure[k] == 0) overlap = std::max(overlap, -g);
+  }
+  return std::max(std::sqrt(squares / count), overlap);
+}
+
+double relative(double value, double exact) { return std::abs(value / exact - 1); }
+
+struct HertzRow {
+  int cells;
+  double force, approach, peak, area;
+};
+const std::vector<HertzRow> hertz_rows{{32, 4.5e-4, 3e-4, 1.5e-3, 1e-3},
+                                       {64, 7e-5, 5e-5, 3e-4, 7e-4},
+                                       {128, 2.6e-5, 1.8e-5, 8e-5, 3.5e-4},
+                                       {256, 5.5e-6, 3.5e-6, 2.5e-5, 2.5e-4}};
+
+TEST(PressHalfSpace, HertzParaboloidByApproach) {
+  for (const HertzRow& row : hertz_rows) {
+    const auto result = press(Grid::square(row.cells, 2.5), paraboloid(), Press::by_approach(1));
+    EXPECT_LE(relative(result.force.value, 4. / 3.), row.force) << row.cells;
+    EXPECT_LE(relative(result.peak_pressure.value, 2 / pi), row.peak) << row.cells;
+    EXPECT_LE(relative(result.area.value, pi), row.area) << row.cells;
+    EXPECT_EQ(result.approach.value, 1);
+    ASSERT_EQ(result.zones.size(), 1U);
+    EXPECT_TRUE(result.zones[0].edge_resolved);
+    EXPECT_NEAR(result.zones[0].x, 0, 1e-9);
+    EXPECT_LE(result.residual, 1e-6);
+  }
+}
+
+TEST(PressHalfSpace, HertzParaboloidByForce) {
+  for (const HertzRow& row : hertz_rows) {
+    const auto result = press(Grid::square(row.cells, 2.5), paraboloid(), Press::by_force(4. / 3.));
+    EXPECT_LE(relative(result.approach.value, 1), row.approach) << row.cells;
+    EXPECT_LE(relative(result.peak_pressure.value, 2 / pi), row.peak) << row.cells;
+    EXPECT_LE(relative(result.area.value, pi), row.area) << row.cells;
+    EXPECT_EQ(result.force.value, 4. / 3.);
+    double sum = 0;
+    for (const double p : result.pressure) sum += p * result.grid.cell_area();
+    EXPECT_NEAR(sum, 4. / 3., 1e-13);
+  }
+}
+
+// Grids laid differently under the paraboloid: the errors differ, the estimates follow.
+TEST(PressHalfSpace, EstimatesOfHertzAreRightWithinAFactorThree) {
+  for (const int cells : {64, 128, 256}) {
+    for (const double shift : {0., 0.21, 0.37}) {
+      const double h = 2.5 / cells;
+      const Grid grid = Grid::square(cells, 2.5);
+      const auto by_approach = press(grid, paraboloid(shift * h, -0.7 * shift * h), Press::by_approach(1));
+      const auto by_force = press(grid, paraboloid(shift * h, -0.7 * shift * h), Press::by_force(4. / 3.));
+      const auto expect_right = [&](const Estimate& estimate, double exact, const char* what) {
+        const double ratio = estimate.error / std::abs(estimate.value - exact);
+        EXPECT_GE(ratio, 1. / 3.) << what << ' ' << cells << ' ' << shift;
+        EXPECT_LE(ratio, 3.) << what << ' ' << cells << ' ' << shift;
+      };
+      expect_right(by_approach.force, 4. / 3., "force");
+      expect_right(by_force.approach, 1, "approach");
+      expect_right(by_approach.area, pi, "area");
+      expect_right(by_force.area, pi, "area");
+      // The highest cell may lie nearer to the peak by chance: then the estimate is on the safe side.
+      EXPECT_GE(by_approach.peak_pressure.error, std::abs(by_approach.peak_pressure.value - 2 / pi) / 3);
+      if (shift == 0) expect_right(by_approach.peak_pressure, 2 / pi, "peak");
+    }
+  }
+}
+
+TEST(PressHalfSpace, ForceAndApproachAreTwoWaysToOneSolution) {
+  const Grid grid = Grid::square(64, 2.5);
+  const auto shape = hertz_ellipse(0.4, 0.3).gap;
+  const auto first = press(grid, shape, Press::by_approach(0.5), with_tolerance(1e-10));
+  const auto second = press(grid, shape, Press::by_force(first.force.value), with_tolerance(1e-10));
+  EXPECT_NEAR(second.approach.value, 0.5, 1e-9);
+  for (std::size_t k = 0; k < first.pressure.size(); ++k) EXPECT_NEAR(second.pressure[k], first.pressure[k], 1e-7);
+}
+
+TEST(PressHalfSpace, TwoSpheresAreTwoZones) {
+  const GapFunction gap = [](double x, double y) {
+    return std::min(paraboloid(-1.3, 0, 1)(x, y), paraboloid(1.3, 0, 0.5)(x, y));
+  };
+  const Grid grid = Grid::square(128, 5);
+  const auto result = press(grid, gap, Press::by_approach(0.5));
+  EXPECT_LE(result.iterations, 60);
+  ASSERT_EQ(result.zones.size(), 2U);
+  // Each zone carries less than alone, since the other one lowers the surface under it.
+  double sum = 0;
+  for (const ContactZone& zone : result.zones) {
+    const double radius = zone.x < 0 ? 1 : 0.5;
+    const double alone = 4. / 3. * std::sqrt(radius) * std::pow(0.5, 1.5);
+    EXPECT_LT(zone.force.value, alone);
+    EXPECT_GT(zone.force.value, 0.6 * alone);
+    EXPECT_NEAR(std::abs(zone.x), 1.3, 0.02);
+    EXPECT_NEAR(zone.y, 0, 1e-9);
+    EXPECT_LT(zone.force.error, 1e-3 * zone.force.value);
+    sum += zone.force.value;
+  }
+  EXPECT_NEAR(sum, result.force.value, 1e-12);
+  // Two point loads far apart: delta_1 = a_1^2/R_1 + F_2 / (pi E* d), to a few percent.
+  const auto& [left, right] =
+      std::minmax(result.zones[0], result.zones[1], [](const auto& a, const auto& b) { return a.x < b.x; });
+  EXPECT_NEAR(std::pow(0.75 * left.force.value, 2. / 3.) + right.force.value / (pi * 2.6), 0.5, 0.01);
+}
+
+TEST(PressHalfSpace, FlatPunchConvergesWithOrderOne) {
+  double last = 0;
+  for (const int cells : {32, 64, 128}) {
+    const GapFunction punch = [](double x, double y) { return std::max(std::abs(x), std::abs(y)) < 1 ? 0. : 1e3; };
+    const auto result = press(Grid::square(cells, 8. / 3.), punch, Press::by_approach(1));
+    EXPECT_LE(result.iterations, 60);
+    const double error = result.force.value / (2 * pi * 0.36678738) - 1;  // capacitance of a square, half its side 1
+    EXPECT_LT(error, 0);
+    EXPECT_NEAR(std::abs(error) * cells, 0.45, 0.01);
+    EXPECT_FALSE(result.zones[0].edge_resolved);
+    EXPECT_NEAR(result.area.value, 4, 1e-12);
+    if (last != 0) {
+      EXPECT_NEAR(error / last, 0.5, 0.02);
+    }
+    last = error;
+  }
+}
+
+TEST(PressHalfSpace, Cone) {
+  const GapFunction cone = [](double x, double y) { return std::hypot(x, y); };
+  const auto result = press(Grid::square(128, 2.5), cone, Press::by_approach(pi / 2));
+  EXPECT_LE(relative(result.force.value, pi / 2), 3e-4);  // F = 2 E* delta^2 / (pi s)
+  EXPECT_LE(relative(result.area.value, pi), 5e-3);
+  EXPECT_LE(result.iterations, 60);
+}
+
+TEST(PressHalfSpace, EllipseOfTenToOne) {
+  for (const double angle : {0., 0.4}) {
+    const HertzEllipse ellipse = hertz_ellipse(0.1, angle);
+    const auto result = press(Grid::square(256, 2.5), ellipse.gap, Press::by_approach(ellipse.approach));
+    EXPECT_LE(result.iterations, 60);
+    EXPECT_LE(relative(result.force.value, ellipse.force), 1e-3) << angle;
+    EXPECT_LE(relative(result.area.value, ellipse.area), 5e-3) << angle;
+  }
+}
+
+TEST(PressHalfSpace, EllipseOfThreeToOneTurned) {
+  const HertzEllipse ellipse = hertz_ellipse(1. / 3., 0.4);
+  const auto result = press(Grid::square(128, 2.5), ellipse.gap, Press::by_force(ellipse.force));
+  EXPECT_LE(relative(result.approach.value, ellipse.approach), 1e-4);
+  EXPECT_LE(relative(result.area.value, ellipse.area), 5e-4);
+}
+
+// Westergaard's wave: p*= pi E* h / L at full contact, contact width (2 / pi) asin sqrt(p / p*) (Johnson 13.9).
+TEST(PressHalfSpace, WaveUpToNearlyFullContact) {
+  const Grid grid = Grid::square(128, 1);
+  const auto gap = sample(grid, [](double x, double) { return 0.01 * (1 - std::cos(2 * pi * x)); });
+  for (const double load : {0.1, 0.5, 0.9, 0.99, 0.999}) {
+    const auto result = press_half_space(grid, Surface::periodic, gap, 1, Press::by_force(load * pi * 0.01));
+    EXPECT_LE(result.iterations, 60) << load;
+    EXPECT_NEAR(result.area.value, 2 / pi * std::asin(std::sqrt(load)), 2. / 128) << load;
+    EXPECT_LE(violation(result, gap), 1e-6 * 0.02) << load;
+  }
+}
+
+TEST(PressHalfSpace, WaveBeyondFullContactIsTheLinearSolution) {
+  const Grid grid = Grid::square(32, 1);
+  const auto gap =
+      sample(grid, [](double x, double y) { return 0.01 * (2 - std::cos(2 * pi * x) - std::cos(2 * pi * y)); });
+  const auto result =
+      press_half_space(grid, Surface::periodic, gap, 1, Press::by_force(2.2 * pi * 0.01), with_tolerance(1e-10));
+  const auto exact =
+      sample(grid, [](double x, double y) { return pi * 0.01 * (2.2 + std::cos(2 * pi * x) + std::cos(2 * pi * y)); });
+  for (std::size_t k = 0; k < exact.size(); ++k) EXPECT_NEAR(result.pressure[k], exact[k], 1e-10);
+  EXPECT_DOUBLE_EQ(result.area.value, 1);
+}
+
+TEST(PressHalfSpace, WavesOnAFreeSquare) {
+  const GapFunction waves = [](double x, double y) {
+    return 0.01 * (2 - std::cos(8 * pi * x) - std::cos(8 * pi * y)) + 0.2 * (x * x + y * y);
+  };
+  const Grid grid = Grid::square(128, 1.2);
+  const auto result = press(grid, waves, Press::by_force(0.06));
+  EXPECT_LE(result.iterations, 60);
+  EXPECT_GT(result.zones.size(), 3U);
+  EXPECT_LE(violation(result, sample(grid, waves)), 1e-6 * 0.2);
+}
+
+// A self-affine surface, H = 0.8, of random phases.
+std::vector<double> rough_surface(const Grid& grid, unsigned seed, double rms_slope) {
+  std::mt19937_64 engine(seed);
+  std::vector<double> heights(grid.size());
+  double slopes = 0;
+  for (int n = 0; n <= 8; ++n) {
+    for (int m = -8; m <= 8; ++m) {
+      const double q = std::hypot(m, n);
+      if (q < 2 || q > 8 || (n == 0 && m < 0)) continue;
+      const double amplitude = std::pow(q, -1.8), phase = patchgrip::testing::uniform(engine, 0, 2 * pi);
+      slopes += std::pow(2 * pi * q * amplitude, 2) / 2;
+      for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+          heights[grid.index(i, j)] += amplitude * std::cos(2 * pi * (m * grid.x(i) + n * grid.y(j)) + phase);
+        }
+      }
+    }
+  }
+  for (double& height : heights) height *= rms_slope / std::sqrt(slopes);
+  return heights;
+}
+
+TEST(PressHalfSpace, RoughSurfaceFromFewSpotsToFullContact) {
+  const Grid grid = Grid::square(128, 1);
+  const auto gap = rough_surface(grid, 1, 1);
+  double last = 0;
+  for (const double pressure : {0.02, 0.2, 1., 3.}) {
+    const auto result = press_half_space(grid, Surface::periodic, gap, 1, Press::by_force(pressure));
+    EXPECT_LE(result.iterations, 60) << pressure;
+    EXPECT_LE(violation(result, gap), 2e-6) << pressure;
+    EXPECT_GT(result.area.value, last);
+    last = result.area.value;
+    if (pressure == 0.02) {
+      EXPECT_GT(result.zones.size(), 2U);
+      EXPECT_NEAR(last, 2 * 0.02, 0.02);  // A / A_0 about 2 p / (E* h')
+    }
+  }
+  EXPECT_DOUBLE_EQ(last, 1);
+}
+
+TEST(PressHalfSpace, RandomShapesConverge) {
+  std::mt19937_64 engine(20061203);
+  PressSettings settings = with_tolerance(1e-8);
+  int touching = 0;
+  const int count = patchgrip::testing::cases(100);
+  const Grid grid = Grid::square(64, 2.5);
+  for (int k = 0; k < count; ++k) {
+    const auto gap = sample(grid, random_shape(engine));
+    const double least = *std::ranges::min_element(gap);
+    const bool by_force = patchgrip::testing::uniform(engine, 0, 1) < 0.5;
+    const Press press = by_force ? Press::by_force(patchgrip::testing::log_uniform(engine, 1e-4, 10))
+                                 : Press::by_approach(least + patchgrip::testing::log_uniform(engine, 3e-4, 3));
+    try {
+      const auto result = press_half_space(grid, Surface::free, gap, 1, press, settings);
+      EXPECT_LE(result.residual, 1e-8);
+      const double scale = std::max(result.approach.value - least, 1e-3);
+      EXPECT_LE(violation(result, gap), 1e-7 * scale + 1e-14) << k;
+    } catch (const std::domain_error& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("touches the border"));
+      ++touching;
+    }
+  }
+  EXPECT_LT(touching, count * 3 / 4);
+}
+
+TEST(PressHalfSpace, WarmStartNeverHurts) {
+  const Grid grid = Grid::square(128, 2.5);
+  const auto gap =
+      sample(grid, [](double x, double y) { return paraboloid()(x, y) + 0.02 * std::cos(9 * x) * std::cos(7 * y); });
+  PressedHalfSpace last = press_half_space(grid, Surface::free, gap, 1, Press::by_force(0.5));
+  for (const double force : {0.5, 0.5000001, 0.505, 0.55, 0.8, 0.4, 0.1}) {
+    const auto cold = press_half_space(grid, Surface::free, gap, 1, Press::by_force(force));
+    const auto warm = press_half_space(grid, Surface::free, gap, 1, Press::by_force(force), {}, &last);
+    EXPECT_LE(warm.all_iterations, cold.all_iterations) << force;
+    EXPECT_NEAR(warm.approach.value, cold.approach.value, 2e-6) << force;
+    if (force == 0.5) {
+      EXPECT_EQ(warm.iterations, 0);
+    }
+    last = warm;
+  }
+}
+
+TEST(PressHalfSpace, ThreadsDoNotChangeTheResult) {
+  const Grid grid = Grid::square(128, 2.5);
+  PressSettings settings;
+  settings.threads = 1;
+  const auto alone = press(grid, paraboloid(), Press::by_force(1), settings);
+  for (const int threads : {2, 3, 5}) {
+    settings.threads = threads;
+    const auto shared = press(grid, paraboloid(), Press::by_force(1), settings);
+    EXPECT_EQ(shared.pressure, alone.pressure);
+    EXPECT_EQ(shared.approach.value, alone.approach.value);
+  }
+}
+
+TEST(PressHalfSpace, OddSizesAreExtended) {
+  const Grid grid = Grid::of_cells(101, 67, 0.025, 0.038);
+  const auto result = press(grid, paraboloid(0.1, -0.05), Press::by_approach(1));
+  EXPECT_EQ(result.pressure.size(), grid.size());
+  EXPECT_LE(relative(result.force.value, 4. / 3.), 2e-4);
+  EXPECT_NEAR(result.zones[0].x, 0.1, 1e-4);
+  EXPECT_NEAR(result.zones[0].y, -0.05, 1e-4);
+}
+
+RC_GTEST_PROP(PressHalfSpace, ScalesWithLengthAndModulus, ()) {
+  const double length = std::ldexp(1, *rc::gen::inRange(-30, 30)), modulus = std::ldexp(1, *rc::gen::inRange(-10, 40));
+  std::mt19937_64 engine(*rc::gen::arbitrary<unsigned>());
+  const Grid grid = Grid::square(32, 2.5), scaled = Grid::square(32, 2.5 * length);
+  const auto gap = sample(grid, hertz_ellipse(0.5, patchgrip::testing::uniform(engine, 0, 3)).gap);
+  auto scaled_gap = gap;
+  for (double& f : scaled_gap) f *= length;
+  const auto one = press_half_space(grid, Surface::free, gap, 1, Press::by_approach(0.5));
+  const auto other = press_half_space(scaled, Surface::free, scaled_gap, modulus, Press::by_approach(0.5 * length));
+  RC_ASSERT(other.force.value == one.force.value * modulus * length * length);
+  RC_ASSERT(other.peak_pressure.value == one.peak_pressure.value * modulus);
+  RC_ASSERT(other.area.value == one.area.value * length * length);
+}
+
+RC_GTEST_PROP(PressHalfSpace, MirroredShapesHaveMirroredPressure, ()) {
+  std::mt19937_64 engine(*rc::gen::arbitrary<unsigned>());
+  const Grid grid = Grid::square(32, 3);
+  const GapFunction shape = [blob = random_shape(engine)](double x, double y) { return blob(x, y) + x * x + y * y; };
+  const auto one = press(grid, shape, Press::by_force(0.3), with_tolerance(1e-10));
+  const auto mirrored = press(
+      grid, [&](double x, double y) { return shape(-y, x); }, Press::by_force(0.3), with_tolerance(1e-10));
+  RC_ASSERT(std::abs(mirrored.approach.value - one.approach.value) < 1e-8 * std::max(1., one.approach.value));
+  for (int j = 0; j < 32; ++j) {
+    for (int i = 0; i < 32; ++i) {
+      RC_ASSERT(std::abs(mirrored.pressure[grid.index(i, j)] - one.pressure[grid.index(31 - j, i)]) <
+                1e-6 * one.peak_pressure.value);
+    }
+  }
+}
+
+RC_GTEST_PROP(PressHalfSpace, MoreApproachIsMoreForceAndMoreContact, ()) {
+  std::mt19937_64 engine(*rc::gen::arbitrary<unsigned>());
+  const Grid grid = Grid::square(32, 4);
+  const GapFunction shape = [blob = random_shape(engine)](double x, double y) { return blob(x, y) + x * x + y * y; };
+  const auto gap = sample(grid, shape);
+  const double least = *std::ranges::min_element(gap);
+  double force = 0, area = 0;
+  for (const double depth : {0.1, 0.2, 0.4, 0.8}) {
+    const auto result =
+        press_half_space(grid, Surface::free, gap, 1, Press::by_approach(least + depth), with_tolerance(1e-8));
+    RC_ASSERT(result.force.value > force);
+    RC_ASSERT(result.counted_area >= area);
+    force = result.force.value;
+    area = result.counted_area;
+  }
+}
+
+TEST(PressHalfSpace, GapInAnyDatum) {
+  const Grid grid = Grid::square(32, 2.5);
+  const auto one = press(grid, paraboloid(), Press::by_force(1));
+  const auto other = press(
+      grid, [](double x, double y) { return paraboloid()(x, y) - 8; }, Press::by_force(1));
+  EXPECT_NEAR(other.approach.value, one.approach.value - 8, 1e-12);
+}
+
+TEST(PressHalfSpace, SaysWhenItDoesNotConverge) {
+  PressSettings settings;
+  settings.max_iterations = 2;
+  EXPECT_THAT(
+      [&] { press(Grid::square(64, 2.5), paraboloid(), Press::by_approach(1), settings); },
+      ::testing::ThrowsMessage<std::runtime_error>(::testing::MatchesRegex(
+          "pressure on 32 x 32 cells did not converge: residual 0.[0-9]+ after 2 iterations, tolerance 4e-06")));
+}
+
+TEST(PressHalfSpace, ContactOnTheBorderIsRefused) {
+  const auto touches = [](const std::string& place) {
+    return ::testing::ThrowsMessage<std::domain_error>("contact touches the border of the grid at " + place +
+                                                       ": the grid must be larger than the contact");
+  };
+  EXPECT_THAT([] { press(Grid::square(32, 3.2), paraboloid(1), Press::by_approach(1)); },
+              touches("x = 1.55 m, y = -0.85 m"));
+  EXPECT_THROW(press(Grid::of_cells(33, 33, 0.1, 0.1), paraboloid(1), Press::by_approach(1)), std::domain_error);
+  EXPECT_THROW(press(Grid::square(32, 1), paraboloid(), Press::by_force(100)), std::domain_error);
+}
+
+TEST(PressHalfSpace, ObserverSeesEveryIterationAndMayStop) {
+  PressSettings settings;
+  int calls = 0;
+  settings.observer = [&](const SolverProgress& progress) {
+    ++calls;
+    EXPECT_GE(progress.iteration, 1);
+    EXPECT_GT(progress.residual, 0);
+  };
+  EXPECT_EQ(press(Grid::square(64, 2.5), paraboloid(), Press::by_approach(1), settings).all_iterations, calls);
+  struct Stop {};
+  settings.observer = [](const SolverProgress& progress) {
+    if (progress.grid.nx == 64 && progress.iteration == 2) throw Stop();
+  };
+  EXPECT_THROW(press(Grid::square(64, 2.5), paraboloid(), Press::by_approach(1), settings), Stop);
+}
+
+TEST(PressHalfSpace, OutOfRangeParametersAreNamed) {
+  const auto refused = [](const std::string& message) {
+    return ::testing::ThrowsMessage<std::invalid_argument>(message);
+  };
+  const Grid grid = Grid::square(16, 1);
+  std::vector<double> gap(grid.size(), 0.5);
+  const auto press = [&](Surface surface, const Press& load, const PressSettings& settings = {}, double modulus = 1) {
+    press_half_space(grid, surface, gap, modulus, load, settings);
+  };
+  EXPECT_THAT([] { Press::by_force(0); }, refused("force = 0 is not allowed: must be positive and finite"));
+  EXPECT_THAT([] { Press::by_approach(NAN); }, refused("approach = nan is not allowed: must be finite"));
+  EXPECT_THAT([&] { press(Surface::free, Press::by_approach(0.5)); },
+              refused("approach = 0.5 is not allowed: must exceed the least gap, or nothing touches"));
+  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1), {}, -1); },
+              refused("contact_modulus = -1 is not allowed: must be positive and finite"));
+  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1), with_tolerance(0)); },
+              refused("tolerance = 0 is not allowed: must lie in [1e-12, 0.01]"));
+  PressSettings settings;
+  settings.max_iterations = 0;
+  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1), settings); },
+              refused("max_iterations = 0 is not allowed: must lie in [1, 1e+06]"));
+  settings = {};
+  settings.threads = 65;
+  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1), settings); },
+              refused("threads = 65 is not allowed: must lie in [1, 64]"));
+  EXPECT_THAT([&] { press(Surface::periodic, Press::by_approach(1)); },
+              refused("approach = 1 is not allowed: must not be prescribed on a periodic surface: its mean "
+                      "displacement is infinite"));
+  gap[3] = std::numeric_limits<double>::infinity();
+  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1)); }, refused("gap = inf is not allowed: must be finite"));
+  gap.pop_back();
+  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1)); },
+              refused("gap.size() = 255 is not allowed: must be nx ny of the grid"));
+  const Grid odd = Grid::of_cells(16, 17, 1, 1);
+  EXPECT_THAT([&] { press_half_space(odd, Surface::periodic, std::vector<double>(odd.size()), 1, Press::by_force(1)); },
+              refused("ny = 17 is not allowed: must be even on a periodic surface"));
+  const auto other = press_half_space(Grid::square(32, 2.5), Surface::free, sample(Grid::square(32, 2.5), paraboloid()),
+                                      1, Press::by_force(1));
+  gap.assign(256, 0.);
+  EXPECT_THAT([&] { press_half_space(grid, Surface::free, gap, 1, Press::by_force(1), {}, &other); },
+              refused("the start belongs to another grid or surface"));
+}
+
+}  // namespace
+}  // namespace patchgrip::contact
