@@ -1,4 +1,4 @@
-// Integrals over the past, weighted by how much of it is forgotten: adaptive Gauss-Kronrod quadrature on panels that
+// Integrals over the past, weighted by how much of it is forgotten: quadrature on panels (panels.h) that
 // widen fourfold, from the shortest fading time on, away from the present.
 //
 //     hereditary = int_(from, to] M(t - s) dG(s)
@@ -8,33 +8,21 @@
 // digits are lost, and no slope of G is asked for.
 //
 // Units    s, t [s]; the integral [M][G].
-// Error    Estimate::error: the difference of 21 and 10 points, and the rounding; tests/contact/press_test.cc.
+// Error    Estimate::error: that of the panels; tests/contact/press_test.cc.
 // Fails    a kink of G that is not among the breaks costs time, then accuracy; the error says so.
 #pragma once
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include <patchgrip/contact/creep/panels.h>
 #include <patchgrip/contact/creep/relaxation_modulus.h>
 
 namespace patchgrip::contact {
 
-struct Estimate {
-  double value;
-  double error;  // bound of |value - exact|, estimated by refinement
-};
-
 namespace fading {
-
-struct Panel {
-  double lo, hi;  // of s, or of z on the oldest panel
-  bool is_oldest;
-  double value = 0;
-  double error = 0;
-  double rounding = 0;
-};
 
 // lo, breaks between, hi, and hi - shortest 4^k.
 inline std::vector<double> panel_ends(double lo, double hi, double shortest, const std::vector<double>& breaks) {
@@ -48,46 +36,21 @@ inline std::vector<double> panel_ends(double lo, double hi, double shortest, con
   return ends;
 }
 
-// int_lo^hi f ds. On the oldest panel s = lo + width z^6: there f may start like a root of s - lo, square or cube. The
-// worst panel is halved until the errors are 1e-13 of the sum or the rounding of it, `floor`, or 200 panels are made.
+// int_lo^hi f ds. On the oldest panel s = lo + width z^6: there f may start like a root of s - lo, square or cube.
 template <class Function>
 Estimate over_past(const Function& f, double lo, double hi, double shortest, const std::vector<double>& breaks,
                    double floor) {
   const auto ends = panel_ends(lo, hi, shortest, breaks);
   const double width = ends[1] - ends[0];
-  const auto from_oldest = [&](double z) {
-    const double z2 = z * z;
-    return 6 * width * z2 * z2 * z * f(lo + width * (z2 * z2 * z2));
-  };
-  const auto measured = [&](Panel panel) {
-    using Rule = boost::math::quadrature::gauss_kronrod<double, 21>;
-    double size = 0;
-    panel.value = panel.is_oldest ? Rule::integrate(from_oldest, panel.lo, panel.hi, 0, 0., &panel.error, &size)
-                                  : Rule::integrate(f, panel.lo, panel.hi, 0, 0., &panel.error, &size);
-    panel.rounding = 8 * 0x1p-53 * size;
-    return panel;
-  };
-  std::vector<Panel> panels{measured({0, 1, true})};
-  for (std::size_t k = 1; k + 1 < ends.size(); ++k) panels.push_back(measured({ends[k], ends[k + 1], false}));
-  while (true) {
-    Estimate sum{0, 0};
-    double rounding = 0;
-    auto worst = panels.begin();
-    for (auto panel = panels.begin(); panel != panels.end(); ++panel) {
-      sum.value += panel->value;
-      sum.error += panel->error;
-      rounding += panel->rounding;
-      if (panel->error > worst->error) worst = panel;
-    }
-    const double middle = worst->lo + (worst->hi - worst->lo) / 2;
-    if (sum.error <= 1e-13 * std::fabs(sum.value) + rounding + floor || panels.size() >= 200 ||
-        !(middle > worst->lo && middle < worst->hi)) {
-      return {sum.value, sum.error + rounding + floor};
-    }
-    const Panel right = measured({middle, worst->hi, worst->is_oldest});
-    *worst = measured({worst->lo, middle, worst->is_oldest});
-    panels.push_back(right);
-  }
+  std::vector<Panel> panels{{0, 1, 0}};
+  for (std::size_t k = 1; k + 1 < ends.size(); ++k) panels.push_back({ends[k], ends[k + 1], k});
+  return integral_over(
+      [&](std::size_t tag, double z) {
+        if (tag > 0) return f(z);
+        const double z2 = z * z;
+        return 6 * width * z2 * z2 * z * f(lo + width * (z2 * z2 * z2));
+      },
+      std::move(panels), floor);
 }
 
 }  // namespace fading
