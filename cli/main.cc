@@ -23,6 +23,7 @@
 #include <patchgrip/cli/accuracy/accuracy.h>
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/output_file.h>
+#include <patchgrip/cli/press/run_press.h>
 #include <patchgrip/cli/scene/materials.h>
 #include <patchgrip/cli/scene/nearest_name.h>
 #include <patchgrip/cli/scene/scene.h>
@@ -47,8 +48,11 @@ constexpr std::string_view about_exit_codes =
 constexpr std::string_view about_tabulate =
     "friction force and moment of a contact against the instantaneous pole (CSV)";
 
+constexpr std::string_view about_press =
+    "contact radius, pressure, approach and stiffness of bodies that press on each other (JSON)";
+
 constexpr std::string_view about_scenes =
-    "SCENE names the contact, the law of friction and the poles. Its format is described key by key in\n"
+    "SCENE names what touches, how it is loaded and what is asked for. Its format is described key by key in\n"
     "data/scenes/README.md (installed: share/patchgrip/scenes), beside ready-made scenes.\n"
     "Materials named there are looked for in materials/ beside the scene or beside its folder, then among those of "
     "patchgrip.";
@@ -58,11 +62,12 @@ constexpr std::string_view about_accuracy = "errors of every entry of reference 
 constexpr std::string_view about_failure =
     "Exit code 1 if an error exceeds the tolerance, or if something is not covered and --allow-uncovered is not given.";
 
-constexpr std::array<std::string_view, 2> subcommands{"tabulate", "accuracy"};
+constexpr std::array<std::string_view, 3> subcommands{"tabulate", "press", "accuracy"};
 
 struct Arguments {
   std::string scene;
   std::string output = "-";
+  std::string table;
   std::string materials;
   std::vector<std::string> tables;
   std::string tolerance = "1e-12";
@@ -76,17 +81,38 @@ void occupy_standard_descriptors() {
   }
 }
 
-int run_tabulate(const Arguments& arguments) {
-  const cli::InterruptGuard guard;
-  if (!arguments.materials.empty() && !std::filesystem::is_directory(arguments.materials)) {
+cli::MaterialLibrary materials_of(const Arguments& arguments) {
+  if (arguments.materials.empty()) return cli::MaterialLibrary::for_scene(arguments.scene);
+  if (!std::filesystem::is_directory(arguments.materials)) {
     throw cli::SceneError(arguments.materials, 0, "is not a folder of materials");
   }
-  std::error_code no_such_output;
-  if (std::filesystem::equivalent(arguments.scene, arguments.output, no_such_output)) {
-    throw cli::OutputError(cli::printable(arguments.output, std::string::npos) + ": is the scene itself");
+  return cli::MaterialLibrary({arguments.materials});
+}
+
+void refuse_scene_as_output(const Arguments& arguments) {
+  for (const std::string& output : {arguments.output, arguments.table}) {
+    std::error_code no_such_output;
+    if (std::filesystem::equivalent(arguments.scene, output, no_such_output)) {
+      throw cli::OutputError(cli::printable(output, std::string::npos) + ": is the scene itself");
+    }
   }
-  const cli::MaterialLibrary materials = arguments.materials.empty() ? cli::MaterialLibrary::for_scene(arguments.scene)
-                                                                     : cli::MaterialLibrary({arguments.materials});
+}
+
+int run_press(const Arguments& arguments) {
+  const cli::InterruptGuard guard;
+  const cli::MaterialLibrary materials = materials_of(arguments);
+  refuse_scene_as_output(arguments);
+  if (!arguments.table.empty() && arguments.table == arguments.output) {
+    throw cli::OutputError("--table and --output name the same file");
+  }
+  cli::run_press({arguments.scene, arguments.output, arguments.table}, materials);
+  return done;
+}
+
+int run_tabulate(const Arguments& arguments) {
+  const cli::InterruptGuard guard;
+  const cli::MaterialLibrary materials = materials_of(arguments);
+  refuse_scene_as_output(arguments);
   const cli::Scene scene = cli::read_scene(cli::TomlDocument::read(arguments.scene), materials);
   cli::OutputFile out(arguments.output);
   cli::tabulate(scene, arguments.scene, out);
@@ -118,15 +144,25 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("patchgrip {}", version));
   app.require_subcommand(1);
 
-  CLI::App* tabulate = app.add_subcommand("tabulate", std::string(about_tabulate));
-  tabulate->footer(std::string(about_scenes));
-  tabulate->add_option("SCENE", arguments.scene, "scene file (TOML)")->required();
-  tabulate
-      ->add_option("-o,--output", arguments.output,
-                   "file to write; it is replaced only by a whole table. Default: standard output")
+  const auto add_scene_command = [&](const char* name, std::string_view description) {
+    CLI::App* command = app.add_subcommand(name, std::string(description));
+    command->footer(std::string(about_scenes));
+    command->add_option("SCENE", arguments.scene, "scene file (TOML)")->required();
+    command
+        ->add_option("-o,--output", arguments.output,
+                     "file to write; it is replaced only by a whole result. Default: standard output")
+        ->type_name("FILE");
+    command
+        ->add_option("--materials", arguments.materials, "folder to look for materials in, instead of the usual ones")
+        ->type_name("DIR");
+    return command;
+  };
+  const CLI::App* tabulate = add_scene_command("tabulate", about_tabulate);
+  CLI::App* press = add_scene_command("press", about_press);
+  press
+      ->add_option("--table", arguments.table,
+                   "CSV file to write: pressure and displacement along a line, the answers of a sweep, or a history")
       ->type_name("FILE");
-  tabulate->add_option("--materials", arguments.materials, "folder to look for materials in, instead of the usual ones")
-      ->type_name("DIR");
 
   CLI::App* accuracy = app.add_subcommand("accuracy", std::string(about_accuracy));
   accuracy->footer(std::string(about_failure));
@@ -142,6 +178,7 @@ int run(int argc, char** argv) {
     refuse_unknown_subcommand(argc, argv);
     app.parse(argc, argv);
     if (tabulate->parsed()) return run_tabulate(arguments);
+    if (press->parsed()) return run_press(arguments);
     return cli::run_accuracy(arguments.tables, tolerance_of(arguments.tolerance), arguments.allow_uncovered, std::cout);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

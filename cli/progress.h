@@ -1,6 +1,7 @@
 // How far a long run is, on a terminal: "tabulate: 37 %", at most ten times a second, erased at the end.
 //
-// Silent when standard error is not a terminal, when the result itself goes to a terminal, and in the first half second.
+// Silent when standard error is not a terminal, when the result itself goes to a terminal, and in the first half
+// second.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// Section entries: one problem each, by name, with inputs and outputs (contact_kinds.h). Errors are relative to the size of the
-// output itself; where that is 0, absolute.
+// Section entries: one problem each, by name, with inputs and outputs (contact_kinds.h). Errors are relative to the
+// size of the output itself; where that is 0, absolute.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Section misc.example_4_8: a block with a rectangular base, pressed on a turning disc whose centre is the pole (seed, Example
-// 4.8). Lengths come in multiples of L, and L = 1 m here.
+// Section misc.example_4_8: a block with a rectangular base, pressed on a turning disc whose centre is the pole (seed,
+// Example 4.8). Lengths come in multiples of L, and L = 1 m here.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,12 +1,13 @@
 // What rounding its inputs to double does to a result, and what is left of an error without it.
 //
-// A table states its inputs x as decimals, the library takes the nearest doubles X; delta = x - X. Near a rim that difference
-// is larger than any error of the library. To first order its effect on a result q is
+// A table states its inputs x as decimals, the library takes the nearest doubles X; delta = x - X. Near a rim that
+// difference is larger than any error of the library. To first order its effect on a result q is
 //
 //     q(x) - q(X) = [q(X + K delta) - q(X - K delta)] / (2 K)
 //
-// where K makes the inputs move visibly and keeps the rounding of q itself out of the effect. A narrow K = 2^10 is right near a
-// rim, where q bends, a wide K = 2^26 where the effect is large. Of the two errors that are left the smaller one counts.
+// where K makes the inputs move visibly and keeps the rounding of q itself out of the effect. A narrow K = 2^10 is
+// right near a rim, where q bends, a wide K = 2^26 where the effect is large. Of the two errors that are left the
+// smaller one counts.
 //
 // Fails    closer than some K delta to a rim where q has no derivative (Hessians of a ring or a flat punch): the effect is
 //          then wrong by a factor.
@@ -41,7 +42,8 @@ struct Measured {
   std::array<double, N> narrow{}, wide{};  // q(x) - q(X) by either K
 };
 
-// `evaluate(Inputs)` gives an array of N results; where it refuses moved inputs (std::logic_error) their effect stays 0.
+// `evaluate(Inputs)` gives an array of N results; where it refuses moved inputs (std::logic_error) their effect stays
+// 0.
 template <class Evaluate>
 auto measure(Evaluate&& evaluate) {
   const auto value = evaluate(Inputs::rounded);

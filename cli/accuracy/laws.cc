@@ -1,5 +1,5 @@
-// Sections viscous (4.49) and local_stribeck: wrenches of the laws of friction on a patch. Of local_stribeck, the law in the
-// mean (4.48) is covered.
+// Sections viscous (4.49) and local_stribeck: wrenches of the laws of friction on a patch. Of local_stribeck, the law
+// in the mean (4.48) is covered.
 #include <array>
 #include <cmath>
 #include <functional>

@@ -1,5 +1,5 @@
-// Section limit_curve: force f = F / (mu F_N) and moment m = M / (mu F_N a) of a round patch against x = r_M / a, and the force
-// at a given moment.
+// Section limit_curve: force f = F / (mu F_N) and moment m = M / (mu F_N a) of a round patch against x = r_M / a, and
+// the force at a given moment.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +36,8 @@ struct PoleAndForce {
   double x, f;
 };
 
-// Where the moment is `m`, in [0, moment at the centre]. It falls with x: up to the rim the unknown is x, beyond it 1 / x.
+// Where the moment is `m`, in [0, moment at the centre]. It falls with x: up to the rim the unknown is x, beyond it 1 /
+// x.
 template <class P>
 PoleAndForce at_moment(const P& patch, double m) {
   const CurvePoint centre = curve_point(patch, 0, 1);

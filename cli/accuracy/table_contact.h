@@ -16,8 +16,8 @@ namespace patchgrip::cli {
 
 class TableContact {
  public:
-  // Nothing if the library does not have it, or a field of it is unknown here: the report then names what is not covered.
-  // Throws TableError where it makes no sense.
+  // Nothing if the library does not have it, or a field of it is unknown here: the report then names what is not
+  // covered. Throws TableError where it makes no sense.
   static std::optional<TableContact> read(const TableNode& contact, std::string_view section, AccuracyReport& report);
 
   const std::string& type() const noexcept { return about_.type; }

@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_object(const std::vector<Quantity>& quantities) {
+Json to_object(const std::vector<Result>& results) {
   Json object = Json::object();
-  for (const Quantity& q : quantities) {
+  for (const Result& q : results) {
     if (!std::isfinite(q.value) || !std::isfinite(q.error)) {
       throw std::range_error(fmt::format("{} = {} +- {} leaves the range of a double", q.name, q.value, q.error));
     }
@@ -36,12 +36,12 @@ std::string to_json(const Answer& answer, std::string_view scene_path, std::stri
   json["contact"] = contact;
   json["law"] = answer.main.law;
   if (!answer.main.remark.empty()) json["remark"] = answer.main.remark;
-  json["results"] = to_object(answer.main.quantities);
+  json["results"] = to_object(answer.main.results);
   json["beside"] = Json::array();
   for (const LawAnswer& law : answer.beside) {
     Json entry{{"law", law.law}};
     if (!law.remark.empty()) entry["remark"] = law.remark;
-    entry["results"] = to_object(law.quantities);
+    entry["results"] = to_object(law.results);
     json["beside"].push_back(std::move(entry));
   }
   json["warnings"] = answer.warnings;

@@ -1,7 +1,7 @@
 // What `patchgrip press` says about a contact: numbers with their errors, other laws beside them, and warnings.
 //
-// The error of a number bounds its distance from the exact answer of the law that is named, for the numbers of the scene as
-// doubles. How far the law is from the scene is not in it: warnings say so, and the laws beside show it.
+// The error of a number bounds its distance from the exact answer of the law that is named, for the numbers of the
+// scene as doubles. How far the law is from the scene is not in it: warnings say so, and the laws beside show it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace patchgrip::cli {
 
-struct Quantity {
+struct Result {
   std::string name;
   double value;
   double error;  // >= 0, in the unit of the value
@@ -19,7 +19,7 @@ struct Quantity {
 
 struct LawAnswer {
   std::string law;
-  std::vector<Quantity> quantities;
+  std::vector<Result> results;
   std::string remark;  // where the law holds, on which side it errs
 };
 
@@ -29,7 +29,8 @@ struct Answer {
   std::vector<std::string> warnings;
 };
 
-// One JSON object with a line break at the end. Throws std::range_error, naming the quantity, where a number is not finite.
+// One JSON object with a line break at the end. Throws std::range_error, naming the quantity, where a number is not
+// finite.
 std::string to_json(const Answer& answer, std::string_view scene_path, std::string_view title,
                     const std::vector<std::string>& contact);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <patchgrip/cli/scene/nearest_name.h>
+#include <patchgrip/cli/scene/relaxation_reader.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -21,42 +22,71 @@ contact::Material named_material(const TomlReader& body, const MaterialLibrary& 
   return *material;
 }
 
-contact::Material read_material_of(const TomlReader& body, const MaterialLibrary& materials) {
+struct BodyMaterial {
+  contact::Material elastic;
+  std::optional<contact::ViscoelasticMaterial> relaxing;
+  std::string words;
+};
+
+BodyMaterial read_relaxing(const TomlReader& body, DescribedRelaxation relaxation) {
+  for (const std::string_view other : {"material", "youngs_modulus", "rigid"}) {
+    if (body.has(other)) body.refuse(other, "not used by a viscoelastic body");
+  }
+  // A dashpot alone answers a step like a rigid body.
+  const double at_once = relaxation.material.compliance.instantaneous();
+  const double nu = relaxation.material.poisson_ratio;
+  const auto elastic = at_once > 0 ? contact::Material::elastic(1 / at_once, nu) : contact::Material::rigid();
+  return {elastic, std::move(relaxation.material), fmt::format("{}, nu = {:.6g}", relaxation.words, nu)};
+}
+
+BodyMaterial read_material_of(const TomlReader& body, const MaterialLibrary& materials) {
   constexpr std::string_view one_of =
-      "give one of 'material', 'youngs_modulus' with 'poisson_ratio', or 'rigid = true'";
+      "give one of 'material', 'youngs_modulus' with 'poisson_ratio', 'rigid = true', or a viscoelastic model";
+  if (auto relaxation = read_relaxation(body)) return read_relaxing(body, *std::move(relaxation));
   const bool rigid = body.flag("rigid");
   const bool elastic = body.has("youngs_modulus") || body.has("poisson_ratio");
+  const auto in_words = [](const contact::Material& m) {
+    return fmt::format("E = {:.6g} Pa, nu = {:.6g}", m.youngs_modulus, m.poisson_ratio);
+  };
   if (body.has("material")) {
     if (rigid || elastic) body.refuse("material", one_of);
-    return named_material(body, materials);
+    const contact::Material material = named_material(body, materials);
+    return {material, std::nullopt, body.text("material") + ", " + in_words(material)};
   }
   if (rigid) {
     if (elastic) body.refuse("rigid", one_of);
-    return contact::Material::rigid();
+    return {contact::Material::rigid(), std::nullopt, "rigid"};
   }
   if (!elastic) body.refuse_table(one_of);
   const double modulus = body.number("youngs_modulus", youngs_modulus);
-  return contact::Material::elastic(modulus, body.number("poisson_ratio", poisson_ratio));
+  const auto material = contact::Material::elastic(modulus, body.number("poisson_ratio", poisson_ratio));
+  return {material, std::nullopt, in_words(material)};
 }
 
 Body read_body(const TomlReader& body, const MaterialLibrary& materials) {
   DescribedShape shape = read_shape(body);
-  const contact::Material material = read_material_of(body, materials);
-  const std::string name = body.has("material") ? body.text("material") + ", " : "";
-  std::string words = body.flag("rigid") ? fmt::format("{}, rigid", shape.words)
-                                         : fmt::format("{}, {}E = {:.6g} Pa, nu = {:.6g}", shape.words, name,
-                                                       material.youngs_modulus, material.poisson_ratio);
-  return {std::move(shape.shape), material, std::move(words)};
+  BodyMaterial material = read_material_of(body, materials);
+  std::string words = shape.words + ", " + material.words;
+  return {std::move(shape.shape), material.elastic, std::move(material.relaxing), std::move(words)};
 }
 
 }  // namespace
 
 std::pair<Body, Body> read_two_bodies(const TomlReader& contact, std::string_view key,
                                       const MaterialLibrary& materials) {
-  const auto bodies = contact.tables(
-      key, {"radius", "plane",       "concave",    "radii",    "cylinder",       "direction",     "stamp",
-            "slope",  "coefficient", "exponent",   "terms",    "end_radius",     "points",        "mesh",
-            "point",  "unit",        "height_map", "material", "youngs_modulus", "poisson_ratio", "rigid"});
+  const auto bodies = contact.tables(key, {"radius",         "plane",
+                                           "concave",        "radii",
+                                           "cylinder",       "direction",
+                                           "stamp",          "slope",
+                                           "coefficient",    "exponent",
+                                           "terms",          "end_radius",
+                                           "points",         "mesh",
+                                           "point",          "unit",
+                                           "height_map",     "material",
+                                           "youngs_modulus", "poisson_ratio",
+                                           "rigid",          "poynting_thomson",
+                                           "kelvin_voigt",   "maxwell",
+                                           "relaxation",     "creep"});
   if (bodies.size() != 2) {
     contact.refuse(key, fmt::format("two bodies, each under [[{}]], not {}", contact.full_name(key), bodies.size()));
   }

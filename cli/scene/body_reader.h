@@ -1,6 +1,7 @@
 // The two bodies of a contact: shape and material of each.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,13 +9,15 @@
 #include <patchgrip/cli/scene/materials.h>
 #include <patchgrip/cli/scene/shape.h>
 #include <patchgrip/cli/scene/toml_reader.h>
+#include <patchgrip/contact/creep/contact_creep.h>
 #include <patchgrip/contact/material.h>
 
 namespace patchgrip::cli {
 
 struct Body {
   Shape shape;
-  contact::Material material;
+  contact::Material material;                             // elastic, or as it answers at once
+  std::optional<contact::ViscoelasticMaterial> relaxing;  // where it creeps
   std::string words;
 };
 

@@ -40,10 +40,7 @@ bool seed_model(const TomlReader& contact) {
   return contact.has("model") && contact.choice("model", models) == 1;
 }
 
-struct Described {
-  PatchVariant patch;
-  std::string words;
-};
+using Described = DescribedPatch;
 
 Described hertz_disc(const TomlReader& contact, double radius) {
   if (seed_model(contact)) {
@@ -93,34 +90,6 @@ Described read_polygon(const TomlReader& contact) {
           std::move(words)};
 }
 
-Described read_patch(const TomlReader& contact) {
-  const auto kind = static_cast<Kind>(contact.choice("patch", kind_names));
-  const auto takes = [&](TomlReader::Keys keys, std::string_view words) {
-    contact.refuse_others(
-        keys, fmt::format("not used by a {}, which takes {}", kind_names[static_cast<std::size_t>(kind)], words));
-  };
-  switch (kind) {
-    case Kind::rectangle:
-      takes({"patch", "normal_force", "centre", "sides"}, "'sides' and 'centre'");
-      return read_rectangle(contact);
-    case Kind::polygon:
-      takes({"patch", "normal_force", "vertices", "holes"}, "'vertices' and 'holes'");
-      return read_polygon(contact);
-    case Kind::hertz_disc:
-      takes({"patch", "normal_force", "centre", "radius", "model"}, "'radius', 'model' and 'centre'");
-      break;
-    case Kind::power_disc:
-      takes({"patch", "normal_force", "centre", "radius", "exponent"}, "'radius', 'exponent' and 'centre'");
-      break;
-    case Kind::xydas_kao_disc:
-      takes({"patch", "normal_force", "centre", "radius", "alpha"}, "'radius', 'alpha' and 'centre'");
-      break;
-    default:
-      takes({"patch", "normal_force", "centre", "radius"}, "'radius' and 'centre'");
-  }
-  return read_disc(contact, kind);
-}
-
 double radius_of_ball(const TomlReader& contact, const Shape& shape) {
   if (std::holds_alternative<Plane>(shape)) return std::numeric_limits<double>::infinity();
   if (const auto* ball = std::get_if<Ball>(&shape)) return ball->radius;
@@ -131,6 +100,7 @@ Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials)
   contact.refuse_others({"bodies", "normal_force", "centre", "model"},
                         "not used beside 'bodies', from which the contact follows; give either bodies or a patch");
   const auto [first, second] = read_two_bodies(contact, "bodies", materials);
+  if (first.relaxing || second.relaxing) contact.refuse("bodies", "friction is tabulated between elastic bodies");
   const double force = contact.number("normal_force", positive("a force in N"));
   return made(contact, "bodies", [&, &one = first, &other = second]() -> Contact {
     const double relative_radius =
@@ -159,9 +129,45 @@ Contact read_given_patch(const TomlReader& contact) {
 
 }  // namespace
 
+DescribedPatch read_patch(const TomlReader& contact) {
+  const auto kind = static_cast<Kind>(contact.choice("patch", kind_names));
+  const auto takes = [&](TomlReader::Keys keys, std::string_view words) {
+    contact.refuse_others(
+        keys, fmt::format("not used by a {}, which takes {}", kind_names[static_cast<std::size_t>(kind)], words));
+  };
+  switch (kind) {
+    case Kind::rectangle:
+      takes({"patch", "normal_force", "contact_modulus", "centre", "sides"}, "'sides' and 'centre'");
+      return read_rectangle(contact);
+    case Kind::polygon:
+      takes({"patch", "normal_force", "contact_modulus", "vertices", "holes"}, "'vertices' and 'holes'");
+      return read_polygon(contact);
+    case Kind::hertz_disc:
+      takes({"patch", "normal_force", "contact_modulus", "centre", "radius", "model"},
+            "'radius', 'model' and 'centre'");
+      break;
+    case Kind::power_disc:
+      takes({"patch", "normal_force", "contact_modulus", "centre", "radius", "exponent"},
+            "'radius', 'exponent' and 'centre'");
+      break;
+    case Kind::xydas_kao_disc:
+      takes({"patch", "normal_force", "contact_modulus", "centre", "radius", "alpha"},
+            "'radius', 'alpha' and 'centre'");
+      break;
+    default:
+      takes({"patch", "normal_force", "contact_modulus", "centre", "radius"}, "'radius' and 'centre'");
+  }
+  return read_disc(contact, kind);
+}
+
+TomlReader contact_table(const TomlReader& scene) {
+  return scene.table("contact",
+                     {"patch", "radius", "exponent", "alpha", "sides", "vertices", "holes", "centre", "model",
+                      "normal_force", "approach", "contact_radius", "contact_modulus", "bodies", "fingertip"});
+}
+
 Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials) {
-  const TomlReader table = scene.table("contact", {"patch", "radius", "exponent", "alpha", "sides", "vertices", "holes",
-                                                   "centre", "model", "normal_force", "bodies"});
+  const TomlReader table = contact_table(scene);
   if (!table.has("patch") && !table.has("bodies")) {
     table.refuse_table("needs 'patch' (a name) or two tables [[contact.bodies]]");
   }

@@ -25,7 +25,14 @@ struct Contact {
   std::vector<std::string> notes;       // the contact in words, for the head of a table
 };
 
-// Throws SceneError.
+struct DescribedPatch {
+  PatchVariant patch;
+  std::string words;
+};
+
+// All throw SceneError.
+TomlReader contact_table(const TomlReader& scene);     // [contact], with all its keys
+DescribedPatch read_patch(const TomlReader& contact);  // 'patch' and its sizes, without the force
 Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials);
 
 }  // namespace patchgrip::cli

@@ -18,6 +18,9 @@ struct Scene {
   Motions motions;
 };
 
+// The whole file, with the tables of every question.
+TomlReader scene_table(const TomlDocument& document);
+
 // Both throw SceneError and nothing else for any content, std::bad_alloc excepted.
 Scene load_scene(const std::filesystem::path& file);
 Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials);

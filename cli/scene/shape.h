@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <patchgrip/cli/scene/toml_reader.h>
+#include <patchgrip/contact/point_profile.h>
 
 namespace patchgrip::cli {
 
@@ -49,7 +50,7 @@ struct FlatEndConeStamp {
   double slope;
 };
 struct PointStamp {
-  std::vector<std::array<double, 2>> points;  // (r, f) [m], straight between them
+  std::vector<contact::ProfilePoint> points;  // straight between them
 };
 
 // The surface of a mesh near a point of it.

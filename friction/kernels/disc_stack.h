@@ -1,5 +1,5 @@
-// A round pressure as a stack of discs of one kind: level q in (0, 1) is a disc of radius R(q) that carries the share w dq
-// of the normal force. With the kind's f_k, m_k, f_k' (round_functions.h),
+// A round pressure as a stack of discs of one kind: level q in (0, 1) is a disc of radius R(q) that carries the share w
+// dq of the normal force. With the kind's f_k, m_k, f_k' (round_functions.h),
 //
 //     f(x) = int f_k(x/R) w dq,   m(x) = int R m_k(x/R) w dq,   f'(x) = int f_k'(x/R) / R w dq
 //

@@ -2,9 +2,9 @@
 //
 //     bounds [--cases N] [--seed S] [--kind NAME]
 //
-// Per kind and region (near: pole within two radii of the patch's centre; far: up to 1e8 radii) it prints how many bounds
-// were broken, the tightest, and the median slack (bound / error) for force and moment. Exit code 1 if any bound is
-// broken or a median slack is not below 100 near and 200 far.
+// Per kind and region (near: pole within two radii of the patch's centre; far: up to 1e8 radii) it prints how many
+// bounds were broken, the tightest, and the median slack (bound / error) for force and moment. Exit code 1 if any bound
+// is broken or a median slack is not below 100 near and 200 far.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

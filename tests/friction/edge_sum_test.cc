@@ -34,8 +34,9 @@ struct Integrals {
   long double S = 0, gx = 0, gy = 0, xx = 0, xy = 0, yy = 0;
 };
 
-// Polar coordinates about the pole, edge by edge: int |P - M| = sum int R(phi)^3 / 3 dphi with R the distance to the edge,
-// its gradient -int R^2 / 2 (cos, sin), its Hessian int R (sin^2, -sin cos, cos^2). One-dimensional quadrature does the rest.
+// Polar coordinates about the pole, edge by edge: int |P - M| = sum int R(phi)^3 / 3 dphi with R the distance to the
+// edge, its gradient -int R^2 / 2 (cos, sin), its Hessian int R (sin^2, -sin cos, cos^2). One-dimensional quadrature
+// does the rest.
 Integrals polar_quadrature(const Rings& rings, double X, double Y) {
   Integrals sum;
   boost::math::quadrature::tanh_sinh<long double> quadrature;

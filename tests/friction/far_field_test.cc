@@ -88,7 +88,8 @@ TEST(FarField, ForceIsGoodToItsBoundAndMomentToThatOfItsTerms) {
   }
 }
 
-// The price of a bound on the terms is small: the moment is relatively exact about the centroid, also of a slender patch.
+// The price of a bound on the terms is small: the moment is relatively exact about the centroid, also of a slender
+// patch.
 TEST(FarField, MomentAboutTheCentroidIsRelativelyExact) {
   for (const Shape& shape : {shapes[0], shapes[2]}) {
     const Far far(shape);

@@ -12,8 +12,8 @@ namespace patchgrip::friction {
 // |v| + length |w|: with it and the length every component of a Hessian becomes a number of order 1.
 inline double speed_of(const Twist& v, double length) { return std::hypot(v.vx, v.vy) + length * std::fabs(v.w); }
 
-// Five points a column; `gradient` answers a Wrench50 at three Real50. `step` is relative to the speed: the error is about
-// step^4 while the pole stays more than `step` lengths away from rims, edges and vertices.
+// Five points a column; `gradient` answers a Wrench50 at three Real50. `step` is relative to the speed: the error is
+// about step^4 while the pole stays more than `step` lengths away from rims, edges and vertices.
 template <class Gradient>
 Hessian hessian_by_differences(const Gradient& gradient, const Twist& v, double length, double step = 1e-10) {
   const Real50 h = Real50(step) * speed_of(v, length);

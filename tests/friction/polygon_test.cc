@@ -231,7 +231,8 @@ TEST_P(PolygonOf, TheThreeWaysAgreeWhereTheyMeet) {
   }
 }
 
-// Along a slender patch the moment about its centroid falls by the square of the aspect ratio within an angle of its inverse.
+// Along a slender patch the moment about its centroid falls by the square of the aspect ratio within an angle of its
+// inverse.
 TEST(Polygon, BoundsHoldAlongASlenderPatch) {
   struct Slender {
     const Shape& shape;

@@ -95,7 +95,8 @@ TEST(Rectangle, HessianEqualsDifferencesOfTheCornerSums) {
   }
 }
 
-// On the sides differences fail; the second derivatives of S are elementary: [[x asinh(y/|x|)]], [[d]], [[y asinh(x/|y|)]].
+// On the sides differences fail; the second derivatives of S are elementary: [[x asinh(y/|x|)]], [[d]], [[y
+// asinh(x/|y|)]].
 TEST(Rectangle, HessianIsFiniteOnSidesAndAtCorners) {
   const Rectangle patch = Rectangle::of_sides(2, 1);
   for (const Pole& pole : {Pole{1, 0.5}, Pole{1, 0.2}, Pole{0.3, -0.5}, Pole{2, 0.5}}) {

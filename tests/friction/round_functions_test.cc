@@ -141,8 +141,8 @@ TEST_P(OfExponent, AtTheCentreAndAtInfinityItHasItsLeadingCoefficients) {
   EXPECT_EQ(far.slope, far.moment);
 }
 
-// The Radon form: |P - M| = (1/4) int |(P - M) . e(phi)| dphi, with the pressure's projection q(s) = (1 - s^2)^n / B on every
-// direction. All it has in common with the hypergeometric functions is the pressure.
+// The Radon form: |P - M| = (1/4) int |(P - M) . e(phi)| dphi, with the pressure's projection q(s) = (1 - s^2)^n / B on
+// every direction. All it has in common with the hypergeometric functions is the pressure.
 TEST_P(OfExponent, EqualsTheRadonFormOfTheDistance) {
   const Real50 n = GetParam();
   const PowerFamily<Real50> family(n);
@@ -257,7 +257,8 @@ TEST_P(DiscOfExponent, IsAStackOfRings) {
       return quadrature.integrate(integrand, 0.0L, split) + quadrature.integrate(integrand, split, 1.0L);
     };
     const auto disc = at(family, 1);
-    // For n = 20 the split (1 - x^2)^(n + 1/2) comes close to 0 and the rings beyond it crowd: tanh-sinh stops at 1e-12.
+    // For n = 20 the split (1 - x^2)^(n + 1/2) comes close to 0 and the rings beyond it crowd: tanh-sinh stops at
+    // 1e-12.
     const long double tolerance = n == 20 ? 1e-11L : 1e-15L;
     EXPECT_LT(std::abs(stacked(&std::pair<long double, long double>::first) / disc.first - 1), tolerance) << x;
     EXPECT_LT(std::abs(stacked(&std::pair<long double, long double>::second) / disc.second - 1), tolerance) << x;

@@ -32,8 +32,8 @@ Deviation deviation(const Twist& v) {
   return {std::fabs(g.fx - e.fx), std::fabs(g.m - e.m), std::fabs(g.m / e.m - 1)};
 }
 
-// Maxima over a fine scan. Between two of its poles the deviation, whose second derivative is below 4, can exceed theirs by
-// h^2 / 2 at most: 5e-11.
+// Maxima over a fine scan. Between two of its poles the deviation, whose second derivative is below 4, can exceed
+// theirs by h^2 / 2 at most: 5e-11.
 struct Maxima {
   Deviation inside{}, outside{};
 };

@@ -1,7 +1,8 @@
 // The pressure of Xydas and Kao as a stack of uniform discs, in the precision of Real: reference of xydas_kao_disc.h.
 //
-// The average over the levels of kernels/disc_stack.h, with the uniform disc from its hypergeometric functions and as many
-// tanh-sinh nodes as Real asks for. Slow (milliseconds a pole); nothing is shared with the double code but the idea.
+// The average over the levels of kernels/disc_stack.h, with the uniform disc from its hypergeometric functions and as
+// many tanh-sinh nodes as Real asks for. Slow (milliseconds a pole); nothing is shared with the double code but the
+// idea.
 #pragma once
 
 #include <cmath>

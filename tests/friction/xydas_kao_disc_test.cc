@@ -33,7 +33,8 @@ auto of(double radius, double alpha) {
 
 double relative(const Real50& value, const Real50& exact) { return static_cast<double>(abs(value / exact - 1)); }
 
-// The mean over rings of r p(r) with p as printed in (4.68), unnormalised: what a stack of discs can't share an error with.
+// The mean over rings of r p(r) with p as printed in (4.68), unnormalised: what a stack of discs can't share an error
+// with.
 class FromThePressure {
  public:
   explicit FromThePressure(long double alpha)

@@ -1,0 +1,203 @@
+#include <patchgrip/cli/press/press_round.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include <boost/math/tools/minima.hpp>
+
+#include <patchgrip/cli/press/profile_of.h>
+#include <patchgrip/contact/axisymmetric.h>
+#include <patchgrip/contact/flat_punch.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using contact::AxisymmetricContact;
+
+constexpr double unit = 0x1p-53;
+constexpr double narrow = 0.1;  // a/R from which on the shape beyond its curvature is worth a warning
+
+template <contact::Profile P>
+AxisymmetricContact<P> loaded(P profile, const StaticLoad& load, double modulus) {
+  switch (load.kind) {
+    case LoadKind::normal_force:
+      return AxisymmetricContact<P>::under_force(std::move(profile), load.value, modulus);
+    case LoadKind::approach:
+      return AxisymmetricContact<P>::at_approach(std::move(profile), load.value, modulus);
+    default:
+      return AxisymmetricContact<P>::at_radius(std::move(profile), load.value, modulus);
+  }
+}
+
+// Where the pressure is largest; nothing where it is infinite.
+template <class Contact>
+std::optional<double> radius_of_peak(const Contact& c) {
+  constexpr int steps = 64;
+  int best = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double p = c.pressure(c.radius() * i / steps);
+    if (!std::isfinite(p)) return std::nullopt;
+    if (p > c.pressure(c.radius() * best / steps)) best = i;
+  }
+  const double lo = c.radius() * std::max(best - 1, 0) / steps;
+  const double hi = c.radius() * (best + 1) / steps;
+  const auto [r, minus_p] = boost::math::tools::brent_find_minima([&](double x) { return -c.pressure(x); }, lo, hi, 40);
+  return -minus_p > c.pressure(0) ? r : 0;
+}
+
+template <contact::Profile P>
+LawAnswer answer_of(std::string law, const AxisymmetricContact<P>& c, std::string remark) {
+  LawAnswer answer{std::move(law), {}, std::move(remark)};
+  const double mean_error =
+      c.mean_pressure() * (c.force_error() / c.force() + 2 * c.radius_error() / c.radius() + 4 * unit);
+  answer.results = {{"contact_radius", c.radius(), c.radius_error(), "m"},
+                    {"normal_force", c.force(), c.force_error(), "N"},
+                    {"approach", c.approach(), c.approach_error(), "m"},
+                    {"stiffness", c.stiffness(), c.stiffness_error(), "N/m"},
+                    {"mean_pressure", c.mean_pressure(), mean_error, "Pa"}};
+  if (const auto r = radius_of_peak(c)) {
+    // Brent's search leaves the peak within 2^-40 of the scale of r, the pressure within the square of that.
+    const double p = c.pressure(*r);
+    answer.results.push_back({"peak_pressure", p, c.pressure_error(*r) + 4 * unit * p, "Pa"});
+  }
+  return answer;
+}
+
+template <contact::Profile P>
+Pressed pressed(std::string law, const AxisymmetricContact<P>& c, std::string remark) {
+  const auto shared = std::make_shared<const AxisymmetricContact<P>>(c);
+  return {{answer_of(std::move(law), c, std::move(remark)), {}, {}},
+          c.radius(),
+          [shared](double x, double y) -> SurfacePoint {
+            const double r = std::hypot(x, y);
+            return {{shared->pressure(r), shared->pressure_error(r)},
+                    {shared->displacement(r), shared->displacement_error(r)},
+                    {shared->gap(r), shared->gap_error(r)}};
+          }};
+}
+
+template <contact::Profile P>
+void add_beside(Pressed& pressed, const std::string& law, const AxisymmetricContact<P>& c, std::string remark) {
+  pressed.answer.beside.push_back(answer_of(law, c, std::move(remark)));
+  pressed.beside.push_back({law, [c](double x, double y) { return c.pressure(std::hypot(x, y)); }});
+}
+
+// The same load by another law; nothing where that law does not reach so far.
+template <contact::Profile P>
+void try_beside(Pressed& pressed, const std::string& law, P profile, const StaticLoad& load, double modulus,
+                const std::string& remark) {
+  try {
+    add_beside(pressed, law, loaded(std::move(profile), load, modulus), remark);
+  } catch (const std::invalid_argument& error) {
+    pressed.answer.warnings.push_back(fmt::format("{} does not reach this load: {}", law, error.what()));
+  }
+}
+
+double value_of(const LawAnswer& law, std::string_view name) {
+  const auto found = std::ranges::find(law.results, name, &Result::name);
+  if (found == law.results.end()) throw std::logic_error("no such quantity");
+  return found->value;
+}
+
+void warn_of_infinite_pressure(Pressed& pressed) {
+  const auto& results = pressed.answer.main.results;
+  if (std::ranges::find(results, "peak_pressure", &Result::name) == results.end()) {
+    pressed.answer.warnings.emplace_back(
+        "the pressure is infinite where the slope of the stamp jumps (in theory: integrable): no peak pressure");
+  }
+}
+
+void add_modulus(Pressed& pressed, double modulus) {
+  pressed.answer.main.results.push_back({"contact_modulus", modulus, 1.01 * unit * modulus, "Pa"});
+}
+
+void add_other_spheres(Pressed& pressed, const SphereStamp& stamp, const StaticLoad& load, double modulus) {
+  if (stamp.terms > 0) {
+    return try_beside(pressed, "sphere", contact::Sphere::of_radius(stamp.radius), load, modulus, "the whole sphere");
+  }
+  for (const int terms : {1, 2, 3, 4}) {
+    try_beside(pressed, fmt::format("sphere_series_{}", terms), contact::PowerSum::sphere_series(stamp.radius, terms),
+               load, modulus, "the first terms of the sphere's series in r^2 (Keppler 4.14, corrected)");
+  }
+}
+
+Pressed press_flat_punch(const FlatPunchStamp& stamp, const StaticLoad& load, double modulus) {
+  if (load.kind == LoadKind::contact_radius) {
+    throw std::invalid_argument("contact_radius: a flat punch has its own; give normal_force or approach");
+  }
+  const auto punch = load.kind == LoadKind::normal_force
+                         ? contact::FlatPunch::under_force(stamp.radius, load.value, modulus)
+                         : contact::FlatPunch::at_approach(stamp.radius, load.value, modulus);
+  const auto bounded = [](std::string name, double value, double units, std::string of) {
+    return Result{std::move(name), value, units * unit * value, std::move(of)};
+  };
+  Pressed result{{{"flat_punch",
+                   {bounded("contact_radius", punch.radius, 0, "m"), bounded("normal_force", punch.force, 2, "N"),
+                    bounded("approach", punch.approach, 2, "m"), bounded("stiffness", punch.stiffness(), 2, "N/m"),
+                    bounded("central_pressure", punch.pressure(0), 5, "Pa"),
+                    bounded("strain_energy", punch.strain_energy(), 4, "J")},
+                   "a rigid flat-ended cylinder on a half-space"},
+                  {},
+                  {"the pressure is infinite at the edge (in theory: integrable): no peak pressure"}},
+                 punch.radius,
+                 [punch](double x, double y) -> SurfacePoint {
+                   const double r = std::hypot(x, y);
+                   const double p = punch.pressure(r);
+                   const double u = punch.displacement(r);
+                   // Beyond the edge the punch has no face.
+                   return {{p, std::isfinite(p) ? 5 * unit * p : p}, {u, 4 * unit * u}, {0, 0}};
+                 }};
+  return result;
+}
+
+}  // namespace
+
+Pressed press_balls(const BodyPair& pair, const PressScene& scene) {
+  const double radius = *relative_radius_of(pair);
+  const double modulus = contact::contact_modulus(pair.first.material, pair.second.material);
+  const auto& load = std::get<StaticLoad>(scene.load);
+  Pressed result = pressed("hertz", loaded(contact::Paraboloid::of_radius(radius), load, modulus),
+                           "two paraboloids, circle of contact small against the radii");
+  add_modulus(result, modulus);
+  result.answer.main.results.push_back({"relative_radius", radius, 1.01 * unit * radius, "m"});
+  try_beside(result, "sphere", contact::Sphere::of_radius(radius), load, modulus,
+             "a rigid sphere of the relative radius on a half-space: what Hertz leaves out of the shape");
+  const double ratio = result.extent / radius;
+  if (ratio > narrow) {
+    std::string warning = fmt::format("a/R = {:.3g} is not small", ratio);
+    if (!result.answer.beside.empty()) {
+      const LawAnswer& sphere = result.answer.beside.front();
+      warning += fmt::format(
+          ": with the height of a sphere instead of its paraboloid force, approach and radius change by "
+          "{:+.2g} %, {:+.2g} % and {:+.2g} %",
+          100 * (value_of(sphere, "normal_force") / value_of(result.answer.main, "normal_force") - 1),
+          100 * (value_of(sphere, "approach") / value_of(result.answer.main, "approach") - 1),
+          100 * (value_of(sphere, "contact_radius") / value_of(result.answer.main, "contact_radius") - 1));
+    }
+    result.answer.warnings.push_back(warning + "; slopes and strains of that order are outside the half-space theory");
+  }
+  return result;
+}
+
+Pressed press_stamp(const BodyPair& pair, const PressScene& scene) {
+  const Shape& stamp = *stamp_of(pair);
+  const double modulus = contact::contact_modulus(pair.first.material, pair.second.material);
+  const auto& load = std::get<StaticLoad>(scene.load);
+  const auto* punch = std::get_if<FlatPunchStamp>(&stamp);
+  Pressed result = punch != nullptr
+                       ? press_flat_punch(*punch, load, modulus)
+                       : visit_profile(pair, [&](auto profile, const ProfileName& name) {
+                           return pressed(name.law, loaded(std::move(profile), load, modulus), name.remark);
+                         });
+  if (const auto* sphere = std::get_if<SphereStamp>(&stamp)) add_other_spheres(result, *sphere, load, modulus);
+  add_modulus(result, modulus);
+  if (punch == nullptr) warn_of_infinite_pressure(result);
+  return result;
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,78 @@
+#include <patchgrip/cli/press/press_tables.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include <patchgrip/cli/interrupt.h>
+
+namespace patchgrip::cli {
+namespace {
+
+constexpr std::size_t default_steps = 200;
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  if (unit == "1") return name;
+  std::string suffix = unit;
+  for (std::size_t at = 0; (at = suffix.find_first_of("/^ ", at)) != std::string::npos;) suffix[at] = '_';
+  return name + "_" + suffix;
+}
+
+void add_law(const LawAnswer& law, const std::string& prefix, bool errors, std::vector<std::string>* columns,
+             std::vector<double>& row) {
+  for (const Result& q : law.results) {
+    row.push_back(q.value);
+    if (errors) row.push_back(q.error);
+    if (columns == nullptr) continue;
+    columns->push_back(with_unit(prefix + q.name, q.unit));
+    if (errors) columns->push_back(with_unit(prefix + q.name + "_error", q.unit));
+  }
+}
+
+}  // namespace
+
+Table surface_table(const PressScene& scene, const Pressed& pressed) {
+  if (!pressed.surface) throw std::invalid_argument("profile: this law says nothing about the surface");
+  const Sequence distance =
+      scene.profile.distance.value_or(Sequence::equal_steps(0, 2 * pressed.extent, default_steps + 1));
+  Table table{{"x_m", "y_m", "pressure_Pa", "displacement_m", "gap_m", "pressure_error_Pa", "displacement_error_m",
+               "gap_error_m"},
+              {}};
+  for (const PressureBeside& law : pressed.beside) table.columns.push_back("pressure_" + law.law + "_Pa");
+  const double along_x = std::cos(scene.profile.angle);
+  const double along_y = std::sin(scene.profile.angle);
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    InterruptGuard::check();
+    const double x = distance[i] * along_x;
+    const double y = distance[i] * along_y;
+    const SurfacePoint s = pressed.surface(x, y);
+    auto& row = table.rows.emplace_back(std::vector{x, y, s.pressure.value, s.displacement.value, s.gap.value,
+                                                    s.pressure.error, s.displacement.error, s.gap.error});
+    for (const PressureBeside& law : pressed.beside) row.push_back(law.pressure(x, y));
+  }
+  return table;
+}
+
+Table sweep_table(const PressScene& scene) {
+  constexpr std::array<const char*, 5> names{"given_normal_force_N", "given_approach_m", "given_contact_radius_m",
+                                             "given_radii_ratio", "given_mu"};
+  Table table{{names[static_cast<std::size_t>(scene.sweep->kind)]}, {}};
+  for (std::size_t i = 0; i < scene.sweep->values.size(); ++i) {
+    InterruptGuard::check();
+    const double value = scene.sweep->values[i];
+    const Answer answer = press(at_sweep_value(scene, value)).answer;
+    std::vector<std::string>* columns = i == 0 ? &table.columns : nullptr;
+    auto& row = table.rows.emplace_back(std::vector{value});
+    add_law(answer.main, "", true, columns, row);
+    for (const LawAnswer& law : answer.beside) add_law(law, law.law + "_", false, columns, row);
+    if (row.size() != table.columns.size()) {
+      throw std::runtime_error(
+          fmt::format("sweep: at {} = {} other results are answered than before", table.columns[0], value));
+    }
+  }
+  return table;
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,16 @@
+// Tables that `patchgrip press` writes: the surface along a line, or the answers of a sweep.
+#pragma once
+
+#include <patchgrip/cli/press/press_scene.h>
+#include <patchgrip/cli/press/pressed.h>
+#include <patchgrip/cli/press/table.h>
+
+namespace patchgrip::cli {
+
+// x, y, pressure, displacement and gap with their errors, then the pressures of the laws beside.
+Table surface_table(const PressScene& scene, const Pressed& pressed);
+
+// The swept quantity, then every quantity of the answer with its error, then those of the laws beside.
+Table sweep_table(const PressScene& scene);
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,40 @@
+// The answer of one static contact, and the surface under it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <patchgrip/cli/press/answer.h>
+#include <patchgrip/cli/press/press_scene.h>
+
+namespace patchgrip::cli {
+
+struct Bounded {
+  double value;
+  double error;
+};
+
+struct SurfacePoint {
+  Bounded pressure;      // [Pa]
+  Bounded displacement;  // u_z [m]
+  Bounded gap;           // between the surfaces [m]; 0 in the contact
+};
+
+struct PressureBeside {
+  std::string law;
+  std::function<double(double x, double y)> pressure;  // [Pa]
+};
+
+struct Pressed {
+  Answer answer;
+  double extent;                                              // contact radius or major semi-axis [m]
+  std::function<SurfacePoint(double x, double y)> surface{};  // empty where the law says nothing of it
+  std::vector<PressureBeside> beside{};
+};
+
+// One function per subject; press() calls the right one. Library errors (std::invalid_argument, std::runtime_error)
+// pass.
+Pressed press(const PressScene& scene);
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,65 @@
+#include <patchgrip/cli/press/run_press.h>
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+
+#include <patchgrip/cli/output_file.h>
+#include <patchgrip/cli/press/press_tables.h>
+#include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/version.h>
+
+namespace patchgrip::cli {
+namespace {
+
+std::vector<std::string> head_of(const PressFiles& files, const PressScene& scene, std::string_view what) {
+  std::vector<std::string> head{fmt::format("patchgrip {} press: {}", version, what),
+                                fmt::format("scene: {}", printable(files.scene, std::string::npos))};
+  if (!scene.title.empty()) head.push_back("title: " + scene.title);
+  for (const std::string& note : scene.notes) head.push_back("contact: " + note);
+  return head;
+}
+
+struct Written {
+  std::string json;
+  std::string csv;
+};
+
+Written written(const PressFiles& files, const PressScene& scene) {
+  const Pressed pressed = press(scene);
+  Written result{to_json(pressed.answer, files.scene, scene.title, scene.notes), {}};
+  if (files.table.empty()) return result;
+  const bool sweeps = scene.sweep.has_value();
+  const Table table = sweeps ? sweep_table(scene) : surface_table(scene, pressed);
+  auto head = head_of(files, scene, sweeps ? "answers over a sweep" : "pressure and displacement along a line");
+  head.push_back("law: " + pressed.answer.main.law);
+  result.csv = to_csv(table, head);
+  return result;
+}
+
+}  // namespace
+
+void run_press(const PressFiles& files, const MaterialLibrary& materials) {
+  const PressScene scene = read_press_scene(TomlDocument::read(files.scene), materials);
+  const Written result = [&] {
+    try {
+      return written(files, scene);
+    } catch (const std::invalid_argument& error) {
+      throw SceneError(files.scene, 0, error.what());
+    } catch (const std::range_error& error) {
+      throw SceneError(files.scene, 0, error.what());
+    }
+  }();
+  std::optional<OutputFile> table;
+  if (!files.table.empty()) table.emplace(files.table);
+  OutputFile output(files.output);
+  output.write(result.json);
+  if (table) {
+    table->write(result.csv);
+    table->commit();
+  }
+  output.commit();
+}
+
+}  // namespace patchgrip::cli

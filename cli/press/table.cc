@@ -1,0 +1,22 @@
+#include <patchgrip/cli/press/table.h>
+
+#include <patchgrip/cli/csv_number.h>
+
+namespace patchgrip::cli {
+
+std::string to_csv(const Table& table, const std::vector<std::string>& head) {
+  std::string text;
+  for (const std::string& line : head) text += "# " + line + "\n";
+  for (const std::string& column : table.columns) text += column + ",";
+  text.back() = '\n';
+  for (const auto& row : table.rows) {
+    for (const double value : row) {
+      append_number(text, value);
+      text += ',';
+    }
+    text.back() = '\n';
+  }
+  return text;
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,18 @@
+// A table of numbers with named columns, as CSV.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace patchgrip::cli {
+
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;  // each as long as `columns`
+};
+
+// `head` are comment lines, without "# ".
+std::string to_csv(const Table& table, const std::vector<std::string>& head);
+
+}  // namespace patchgrip::cli

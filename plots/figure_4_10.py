@@ -1,0 +1,25 @@
+"""Keppler 2006, figure 4.10: eccentricity of a Hertz ellipse against the ratio of the radii of curvature."""
+
+import style
+from style import BLUE, ORANGE, plt
+from table import Table
+
+
+def main():
+    options = style.arguments(__doc__, 1)
+    table = Table(options.input[0])
+    ratio = table["given_radii_ratio"]
+    figure, axes = plt.subplots(figsize=(style.COLUMN, 2.6))
+    axes.plot(ratio, table["eccentricity"], color=BLUE)
+    axes.plot(ratio, table["semi_axis_b_m"] / table["semi_axis_a_m"], color=ORANGE)
+    axes.text(0.25, 0.93, "$e$", color=BLUE)
+    axes.text(0.25, 0.45, "$b / a$", color=ORANGE)
+    axes.set_xlabel("$R_2 / R_1$ [-],  $R_1 \\geq R_2$")
+    axes.set_ylabel("[-]")
+    axes.set_xlim(0, 1)
+    axes.set_ylim(0, 1.02)
+    style.save(figure, options.output)
+
+
+if __name__ == "__main__":
+    main()
