@@ -1,0 +1,137 @@
+#include <patchgrip/contact/fingertip/power_law.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <patchgrip/contact/hertz_circle.h>
+#include <patchgrip/tests/contact/contact_table.h>
+#include <patchgrip/tests/support/cases.h>
+#include <patchgrip/tests/support/exact.h>
+
+namespace patchgrip::contact {
+namespace {
+
+using patchgrip::testing::cases;
+using patchgrip::testing::contact_rows;
+using patchgrip::testing::Exact;
+using patchgrip::testing::log_uniform;
+using patchgrip::testing::uniform;
+using patchgrip::testing::units_of_rounding;
+
+TEST(PowerLawFit, AgreesWithTheTable) {
+  const auto rows = contact_rows("power_law_fit");
+  ASSERT_EQ(rows.size(), 1U);
+  for (const auto& row : rows) {
+    std::vector<MeasuredRadius> points;
+    for (const std::string i : {"1", "2", "3", "4", "5"}) points.push_back({row.input("F_" + i), row.input("a_" + i)});
+    const auto fit = PowerLawFit::to(points);
+    EXPECT_LE(units_of_rounding(fit.law.c, row.output("c")), 4);
+    EXPECT_LE(units_of_rounding(fit.law.gamma, row.output("gamma")), 4);
+    EXPECT_LE(units_of_rounding(fit.rms_log, row.output("rms_log")), 200);  // of a: residuals are a hundredth of it
+    EXPECT_EQ(fit.points, 5);
+  }
+}
+
+// Normal equations in fifty digits.
+TEST(PowerLawFit, HoldsItsBound) {
+  std::mt19937_64 engine(20060260);
+  double worst = 0;
+  for (int i = 0; i < cases(200); ++i) {
+    const double lo = log_uniform(engine, 1e-12, 1e9), span = log_uniform(engine, 1.01, 1e3);
+    const double c = log_uniform(engine, 1e-6, 1), gamma = uniform(engine, 0.05, 0.34);
+    std::vector<MeasuredRadius> points;
+    for (int k = 0; k < 2 + i % 9; ++k) {
+      const double force = k == 0 ? lo : k == 1 ? lo * span : lo * log_uniform(engine, 1, span);
+      points.push_back({force, c * std::pow(force, gamma) * uniform(engine, 0.99, 1.01)});
+    }
+    const auto fit = PowerLawFit::to(points);
+    Exact n = 0, x = 0, y = 0, xx = 0, xy = 0, largest = 1;
+    for (const auto& p : points) {
+      const Exact lx = log(Exact(p.normal_force)), ly = log(Exact(p.contact_radius));
+      n += 1, x += lx, y += ly, xx += lx * lx, xy += lx * ly;
+      largest = std::max({largest, Exact(abs(lx)), Exact(abs(ly))});
+    }
+    const Exact slope = (n * xy - x * y) / (n * xx - x * x), offset = (y - slope * x) / n;
+    const double bound = static_cast<double>(Exact("1.7e-16") + Exact(0x1p-60) * largest * largest / log(Exact(span)));
+    worst = std::max({worst, static_cast<double>(abs(fit.law.gamma - slope)) / bound,
+                      static_cast<double>(abs(fit.law.c / exp(offset) - 1)) / bound});
+  }
+  RecordProperty("worst_of_bound", std::to_string(worst));
+  EXPECT_LE(worst, 1);
+}
+
+RC_GTEST_PROP(PowerLawFit, FindsTheLawThatMadeThePoints, ()) {
+  const auto law = PowerLaw::of(std::pow(10, 1e-3 * *rc::gen::inRange(-4000, 0)), 1e-3 * *rc::gen::inRange(50, 334));
+  std::vector<MeasuredRadius> points;
+  for (const double force : {0.05, 0.3, 1., 2.5, 20.}) points.push_back({force, law.contact_radius(force)});
+  const auto fit = PowerLawFit::to(points);
+  RC_ASSERT(std::abs(fit.law.gamma - law.gamma) < 1e-15);
+  RC_ASSERT(std::abs(fit.law.c / law.c - 1) < 1e-15);
+  RC_ASSERT(fit.rms_log < 1e-15);
+  RC_ASSERT(std::abs(law.normal_force(law.contact_radius(2.5)) / 2.5 - 1) < 1e-14);
+}
+
+TEST(PowerLawFit, OfHertzHasGammaOneThird) {
+  std::vector<MeasuredRadius> points;
+  for (const double force : {0.1, 0.5, 1., 3., 10.})
+    points.push_back({force, HertzCircle::under_force(force, 0.02, 66666).radius});
+  EXPECT_NEAR(PowerLawFit::to(points).law.gamma, 1. / 3, 1e-15);
+}
+
+// 95 % limits hold the truth in 95 % of experiments: 2000 of them are within 0.95 +- 0.02 but for one in 40000.
+TEST(PowerLawFit, ConfidenceLimitsCoverAsOftenAsTheySay) {
+  std::mt19937_64 engine(20060261);
+  std::normal_distribution<double> noise(0, 0.02);
+  const int experiments = std::max(2000, cases(2000));
+  int gamma_covered = 0, c_covered = 0;
+  for (int i = 0; i < experiments; ++i) {
+    std::vector<MeasuredRadius> points;
+    for (const double force : {0.1, 0.4, 1., 3., 8.})
+      points.push_back({force, 0.004 * std::pow(force, 0.28) * std::exp(noise(engine))});
+    const auto fit = PowerLawFit::to(points);
+    const auto gamma = fit.gamma_limits(0.95), c = fit.c_limits(0.95);
+    gamma_covered += gamma.low <= 0.28 && 0.28 <= gamma.high;
+    c_covered += c.low <= 0.004 && 0.004 <= c.high;
+  }
+  EXPECT_NEAR(static_cast<double>(gamma_covered) / experiments, 0.95, 0.02);
+  EXPECT_NEAR(static_cast<double>(c_covered) / experiments, 0.95, 0.02);
+}
+
+// Three points, one degree of freedom: Student's factor at 95 % is 12.7062.
+TEST(PowerLawFit, LimitsOfThreePointsAreStudents) {
+  const std::vector<MeasuredRadius> points{{1, 0.004}, {2, 0.005}, {4, 0.0061}};
+  const auto fit = PowerLawFit::to(points);
+  const auto limits = fit.gamma_limits(0.95);
+  EXPECT_NEAR((limits.high - limits.low) / 2 / fit.gamma_spread, 12.706204736432095, 1e-9);
+}
+
+TEST(PowerLawFit, PointsThatFixNoLineAreRefused) {
+  const std::vector<MeasuredRadius> one{{1, 0.004}}, same{{1, 0.004}, {1, 0.005}}, two{{1, 0.004}, {2, 0.005}};
+  EXPECT_THROW(PowerLawFit::to(one), std::invalid_argument);
+  EXPECT_THAT([&] { PowerLawFit::to(same); }, ::testing::ThrowsMessage<std::invalid_argument>(
+                                                  "normal_force = 1 is not allowed: must differ between the points"));
+  EXPECT_LT(PowerLawFit::to(two).rms_log, 1e-17);
+  EXPECT_THROW(PowerLawFit::to(two).gamma_limits(0.95), std::invalid_argument);
+  EXPECT_THROW(PowerLawFit::to(std::vector<MeasuredRadius>{{1, 0.004}, {-2, 0.005}}), std::invalid_argument);
+  const std::vector<MeasuredRadius> three{{1, 0.004}, {2, 0.005}, {4, 0.0061}};
+  EXPECT_THROW(PowerLawFit::to(three).c_limits(1), std::invalid_argument);
+}
+
+TEST(PowerLaw, OutOfRangeParametersAreRefused) {
+  EXPECT_THROW(PowerLaw::of(0, 0.3), std::invalid_argument);
+  EXPECT_THROW(PowerLaw::of(1, -0.3), std::invalid_argument);
+  EXPECT_THROW(PowerLaw::of(1, 0.3).contact_radius(-1), std::invalid_argument);
+  EXPECT_THROW(PowerLaw::of(1, 0).normal_force(1), std::invalid_argument);
+  EXPECT_EQ(PowerLaw::of(1, 0.3).contact_radius(0), 0);
+}
+
+}  // namespace
+}  // namespace patchgrip::contact
