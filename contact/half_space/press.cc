@@ -18,7 +18,6 @@ constexpr int coarsest_cells = 32;        // a side of the first grid has at lea
 constexpr double coarse_tolerance = 30;   // of the one asked for
 constexpr double estimate_tolerance = 4;  // the same, of the grid that the errors are estimated from
 constexpr double order_factor = 2.4;      // 2^order - 1 of what is measured on Hertz' contact
-constexpr double solver_error = 0.3;      // of the force, relative, in tolerances
 constexpr int least_cells_for_threads = 100 * 100;
 
 struct Level {
@@ -108,13 +107,13 @@ Measured measure(const Grid& grid, Surface surface, std::span<const double> pres
   return result;
 }
 
-double estimate(double fine, double coarse, double tolerance) {
-  return std::abs(fine - coarse) / order_factor + solver_error * tolerance * std::abs(fine);
+double estimate(double fine, double coarse, double residual) {
+  return std::abs(fine - coarse) / order_factor + residual * std::abs(fine);
 }
 
 // The zones of the coarser grid are those of the finer one that lie around their highest cell.
 void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coarse,
-                    std::span<const double> coarse_pressure, double tolerance) {
+                    std::span<const double> coarse_pressure, double residual) {
   std::vector<std::pair<double, double>> coarse_values(fine.zones.size());  // force and area
   const Grid coarse_grid = coarser(fine_grid);
   std::vector<std::size_t> highest(coarse.zones.size(), coarse_pressure.size());
@@ -134,7 +133,7 @@ void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coars
   for (std::size_t k = 0; k < fine.zones.size(); ++k) {
     const auto [force, area] = coarse_values[k];
     ContactZone& zone = fine.zones[k];
-    zone.force.error = force > 0 ? estimate(zone.force.value, force, tolerance) : zone.force.value;
+    zone.force.error = force > 0 ? estimate(zone.force.value, force, residual) : zone.force.value;
     zone.area.error =
         force > 0 ? std::max(zone.area.error, std::abs(zone.area.value - area) / order_factor) : zone.area.value;
   }
@@ -262,11 +261,11 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
       coarse = std::exchange(fine, measure(level.grid, surface, pressure, status.approach));
     }
   }
-  estimate_zones(last.grid, fine, coarse, coarse_pressure, settings.tolerance);
+  estimate_zones(last.grid, fine, coarse, coarse_pressure, result.residual);
 
   const double modulus = contact_modulus;
   const auto estimated = [&](double factor, double of_fine, double of_coarse) {
-    return Estimate{factor * of_fine, factor * estimate(of_fine, of_coarse, settings.tolerance)};
+    return Estimate{factor * of_fine, factor * estimate(of_fine, of_coarse, result.residual)};
   };
   result.grid = grid;
   result.surface = surface;

@@ -11,7 +11,7 @@
 //          even, and the force is prescribed.
 // Units    f, delta [m], p, E* [Pa], F [N], areas [m^2].
 // Error    of each value an estimate: the difference to the grid with half as many cells a side, over 2.4, and the
-//          solver's tolerance. On a smooth contact of 50 cells across or more right within a factor 3
+//          solver's residual. On a smooth contact of 50 cells across or more right within a factor 3
 //          (tests/contact/press_test.cc). A zone that the coarser grid does not have carries 100 %.
 // Fails    a rough surface not resolved by the grid: the estimate then shows it.
 // Throws   std::invalid_argument outside the domain; std::domain_error if the contact touches the border of a free grid;

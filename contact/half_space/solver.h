@@ -10,7 +10,7 @@
 //
 // Converged when    residual = max(rms of g over A, largest -g outside) / s <= tolerance,
 //                   s = max(delta - least f, standard deviation of f over A).
-// Then F is good to about 0.3 tolerance.
+// Then F, or delta, is good to two residuals, relative (Hertz' contact; tests/contact/contact_solver_test.cc).
 //
 // Units    f, g, delta [m]; the pressure here is p / E* [1], the load sum(p) / E*.
 // Throws   std::runtime_error when max_iterations steps do not reach the tolerance, with the residual. What the observer
