@@ -78,12 +78,12 @@ PATCHGRIP_VECTOR_CLONES void add_samples(std::size_t count, const Sample* sample
   normal = sum;
 }
 
-// First unknown of the normal equations, by Cholesky's factors; false if they are nearly singular.
-bool solve_first(Normal normal, double& first) {
+// The fitted phi, edge_offset farther out; false if the normal equations are nearly singular.
+bool solve(Normal normal, double& phi) {
   auto& [matrix, right] = normal;
   const auto at = [&](std::size_t r, std::size_t s) -> double& { return matrix[r * (r + 1) / 2 + s]; };
-  // From the last term to the first, so that the first unknown needs no substitution back.
-  for (std::size_t k = terms; k-- > 1;) {
+  // From the last term to the first: only value and slope are needed.
+  for (std::size_t k = terms; k-- > 0;) {
     if (at(k, k) < least_pivot) return false;
     for (std::size_t r = 0; r < k; ++r) {
       const double factor = at(k, r) / at(k, k);
@@ -91,8 +91,10 @@ bool solve_first(Normal normal, double& first) {
       right[r] -= factor * right[k];
     }
   }
-  if (at(0, 0) < least_pivot) return false;
-  first = right[0] / at(0, 0);
+  const double value = right[0] / at(0, 0);
+  const double along = (right[1] - at(1, 0) * value) / at(1, 1);
+  const double across = (right[2] - at(2, 0) * value - at(2, 1) * along) / at(2, 2);
+  phi = value - edge_offset * std::hypot(along, across);
   return true;
 }
 
@@ -189,7 +191,7 @@ class LevelSet {
       }
       add_samples(count, samples.data(), normal);
       cells += static_cast<int>(count);
-      if (cells >= least_cells && solve_first(normal, value)) return true;
+      if (cells >= least_cells && solve(normal, value)) return true;
     }
     return false;
   }

@@ -41,6 +41,29 @@ inline HertzEllipse hertz_ellipse(double ratio, double angle) {
           std::numbers::pi * ratio};
 }
 
+// A self-affine surface, Hurst exponent 0.8, of random phases, periodic on a square of side 1.
+inline std::vector<double> rough_surface(const Grid& grid, unsigned seed, double rms_slope) {
+  std::mt19937_64 engine(seed);
+  std::vector<double> heights(grid.size());
+  double slopes = 0;
+  for (int n = 0; n <= 8; ++n) {
+    for (int m = -8; m <= 8; ++m) {
+      const double q = std::hypot(m, n);
+      if (q < 2 || q > 8 || (n == 0 && m < 0)) continue;
+      const double amplitude = std::pow(q, -1.8), phase = patchgrip::testing::uniform(engine, 0, 2 * std::numbers::pi);
+      slopes += std::pow(2 * std::numbers::pi * q * amplitude, 2) / 2;
+      for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+          heights[grid.index(i, j)] +=
+              amplitude * std::cos(2 * std::numbers::pi * (m * grid.x(i) + n * grid.y(j)) + phase);
+        }
+      }
+    }
+  }
+  for (double& height : heights) height *= rms_slope / std::sqrt(slopes);
+  return heights;
+}
+
 // The lower envelope of up to six paraboloids or quartics of very different widths, somewhere in |x|, |y| < 1.
 inline GapFunction random_shape(std::mt19937_64& engine) {
   struct Blob {

@@ -50,10 +50,10 @@ struct HertzRow {
   int cells;
   double force, approach, peak, area;
 };
-const std::vector<HertzRow> hertz_rows{{32, 4.5e-4, 3e-4, 1.5e-3, 1e-3},
-                                       {64, 7e-5, 5e-5, 3e-4, 7e-4},
-                                       {128, 2.6e-5, 1.8e-5, 8e-5, 3.5e-4},
-                                       {256, 5.5e-6, 3.5e-6, 2.5e-5, 2.5e-4}};
+const std::vector<HertzRow> hertz_rows{{32, 4.5e-4, 3e-4, 1.5e-3, 2e-3},
+                                       {64, 7e-5, 5e-5, 3e-4, 4e-4},
+                                       {128, 2.6e-5, 1.8e-5, 8e-5, 1e-4},
+                                       {256, 5.5e-6, 3.5e-6, 2.5e-5, 4e-5}};
 
 TEST(PressHalfSpace, HertzParaboloidByApproach) {
   for (const HertzRow& row : hertz_rows) {
@@ -97,9 +97,10 @@ TEST(PressHalfSpace, EstimatesOfHertzAreRightWithinAFactorThree) {
       };
       expect_right(by_approach.force, 4. / 3., "force");
       expect_right(by_force.approach, 1, "approach");
-      expect_right(by_approach.area, pi, "area");
-      expect_right(by_force.area, pi, "area");
-      // The highest cell may lie nearer to the peak by chance: then the estimate is on the safe side.
+      // By chance the highest cell may lie near the peak, and errors of the edge cancel around it: the estimate is then on the
+      // safe side.
+      for (const Estimate& area : {by_approach.area, by_force.area})
+        EXPECT_GE(area.error, std::abs(area.value - pi) / 3);
       EXPECT_GE(by_approach.peak_pressure.error, std::abs(by_approach.peak_pressure.value - 2 / pi) / 3);
       if (shift == 0) expect_right(by_approach.peak_pressure, 2 / pi, "peak");
     }
@@ -174,15 +175,22 @@ TEST(PressHalfSpace, EllipseOfTenToOne) {
     const auto result = press(Grid::square(256, 2.5), ellipse.gap, Press::by_approach(ellipse.approach));
     EXPECT_LE(result.iterations, 60);
     EXPECT_LE(relative(result.force.value, ellipse.force), 1e-3) << angle;
-    EXPECT_LE(relative(result.area.value, ellipse.area), 5e-3) << angle;
+    EXPECT_LE(relative(result.area.value, ellipse.area), 3e-3) << angle;
+    EXPECT_GE(result.area.error, std::abs(result.area.value - ellipse.area) / 3) << angle;
   }
 }
 
-TEST(PressHalfSpace, EllipseOfThreeToOneTurned) {
-  const HertzEllipse ellipse = hertz_ellipse(1. / 3., 0.4);
-  const auto result = press(Grid::square(128, 2.5), ellipse.gap, Press::by_force(ellipse.force));
-  EXPECT_LE(relative(result.approach.value, ellipse.approach), 1e-4);
-  EXPECT_LE(relative(result.area.value, ellipse.area), 5e-4);
+TEST(PressHalfSpace, EllipsesTurned) {
+  for (const double ratio : {1. / 3., 0.5, 0.8}) {
+    for (const double angle : {0., 0.4, pi / 4}) {
+      const HertzEllipse ellipse = hertz_ellipse(ratio, angle);
+      const auto result = press(Grid::square(128, 2.5), ellipse.gap, Press::by_force(ellipse.force));
+      EXPECT_LE(relative(result.approach.value, ellipse.approach), 1e-4);
+      EXPECT_LE(relative(result.area.value, ellipse.area), 8e-4);
+      EXPECT_GE(result.approach.error, std::abs(result.approach.value - ellipse.approach) / 3);
+      EXPECT_GE(result.area.error, std::abs(result.area.value - ellipse.area) / 3) << ratio << ' ' << angle;
+    }
+  }
 }
 
 // Westergaard's wave: p*= pi E* h / L at full contact, contact width (2 / pi) asin sqrt(p / p*) (Johnson 13.9).
@@ -218,28 +226,6 @@ TEST(PressHalfSpace, WavesOnAFreeSquare) {
   EXPECT_LE(result.iterations, 60);
   EXPECT_GT(result.zones.size(), 3U);
   EXPECT_LE(violation(result, sample(grid, waves)), 1e-6 * 0.2);
-}
-
-// A self-affine surface, H = 0.8, of random phases.
-std::vector<double> rough_surface(const Grid& grid, unsigned seed, double rms_slope) {
-  std::mt19937_64 engine(seed);
-  std::vector<double> heights(grid.size());
-  double slopes = 0;
-  for (int n = 0; n <= 8; ++n) {
-    for (int m = -8; m <= 8; ++m) {
-      const double q = std::hypot(m, n);
-      if (q < 2 || q > 8 || (n == 0 && m < 0)) continue;
-      const double amplitude = std::pow(q, -1.8), phase = patchgrip::testing::uniform(engine, 0, 2 * pi);
-      slopes += std::pow(2 * pi * q * amplitude, 2) / 2;
-      for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
-          heights[grid.index(i, j)] += amplitude * std::cos(2 * pi * (m * grid.x(i) + n * grid.y(j)) + phase);
-        }
-      }
-    }
-  }
-  for (double& height : heights) height *= rms_slope / std::sqrt(slopes);
-  return heights;
 }
 
 TEST(PressHalfSpace, RoughSurfaceFromFewSpotsToFullContact) {
