@@ -59,6 +59,7 @@ std::span<const ContactKind> contact_kinds();
 
 // Its parts, one file each.
 std::span<const ContactKind> adhesion_kinds();
+std::span<const ContactKind> creep_kinds();
 std::span<const ContactKind> half_space_kinds();
 std::span<const ContactKind> hertz_kinds();
 std::span<const ContactKind> material_kinds();

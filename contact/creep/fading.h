@@ -8,7 +8,7 @@
 // digits are lost, and no slope of G is asked for.
 //
 // Units    s, t [s]; the integral [M][G].
-// Error    Estimate::error: that of the panels; tests/contact/press_test.cc.
+// Error    Estimate::error: that of the panels; tests/contact/creep_press_test.cc.
 // Fails    a kink of G that is not among the breaks costs time, then accuracy; the error says so.
 #pragma once
 

@@ -11,7 +11,7 @@
 //          (then cycles.h). No bare dashpot.
 // Units    a, r, delta [m], F [N], p [Pa], t [s].
 // Error    radius: the profile's own, and the root of Ting's equation; force and pressure with an estimate.
-//          tests/contact/press_test.cc.
+//          tests/contact/creep_press_test.cc.
 // Fails    p is +infinity where the profile's own pressure is (the tip of a cone).
 // Throws   std::invalid_argument from the factory (receding_approach.h), and for times and places outside the domain.
 #pragma once

@@ -8,7 +8,7 @@
 //
 // Units    t [s], delta [m].
 // Error    t_1: the root to the last digit of an equation that is good to about 10 units of rounding of its largest
-//          term; tests/contact/press_test.cc.
+//          term; tests/contact/creep_press_test.cc.
 // Fails    as load_integral.h: what comes and goes between two looks is not seen.
 // Throws   std::invalid_argument unless `until` comes after the start, delta >= 0 there, and M has no dashpot (a bare
 //          dashpot would carry an infinite force at a jump).

@@ -10,7 +10,7 @@
 //
 // Units    t [s], F [N], X [m^2].
 // Error    t_1: the root to the last digit of an equation that is good to about 10 units of rounding of its largest
-//          term; tests/contact/press_test.cc.
+//          term; tests/contact/creep_press_test.cc.
 // Fails    as load_integral.h: what comes and goes between two looks is not seen.
 // Throws   std::invalid_argument unless F >= 0 up to `until`, which must come after the start.
 #pragma once
