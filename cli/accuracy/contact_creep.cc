@@ -133,6 +133,7 @@ Outputs visco_sine(const EntryInputs& in) {
 }
 
 Outputs visco_step_power_profile(const EntryInputs& in) {
+  (void)in.has("R");  // stated, but f = A r^d has no radius
   const auto creep = poynting_thomson_contact(in);
   const auto force = History::step(in["F0"]);
   const auto profile = contact::PowerProfile::of_coefficient(in["A"], in["d"]);

@@ -10,9 +10,12 @@
 
 #include <boost/math/tools/minima.hpp>
 
+#include <patchgrip/cli/press/loaded.h>
 #include <patchgrip/cli/press/profile_of.h>
 #include <patchgrip/contact/axisymmetric.h>
+#include <patchgrip/contact/dundurs.h>
 #include <patchgrip/contact/flat_punch.h>
+#include <patchgrip/contact/stick_radius.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -21,18 +24,6 @@ using contact::AxisymmetricContact;
 
 constexpr double unit = 0x1p-53;
 constexpr double narrow = 0.1;  // a/R from which on the shape beyond its curvature is worth a warning
-
-template <contact::Profile P>
-AxisymmetricContact<P> loaded(P profile, const StaticLoad& load, double modulus) {
-  switch (load.kind) {
-    case LoadKind::normal_force:
-      return AxisymmetricContact<P>::under_force(std::move(profile), load.value, modulus);
-    case LoadKind::approach:
-      return AxisymmetricContact<P>::at_approach(std::move(profile), load.value, modulus);
-    default:
-      return AxisymmetricContact<P>::at_radius(std::move(profile), load.value, modulus);
-  }
-}
 
 // Where the pressure is largest; nothing where it is infinite.
 template <class Contact>
@@ -155,6 +146,26 @@ Pressed press_flat_punch(const FlatPunchStamp& stamp, const StaticLoad& load, do
   return result;
 }
 
+void add_stick(Pressed& pressed, const BodyPair& pair, double mu) {
+  const double beta = std::fabs(contact::Dundurs::of(pair.first.material, pair.second.material).beta);
+  auto& results = pressed.answer.main.results;
+  results.push_back({"dundurs_beta", beta, 2 * unit * beta + 0x1p-62, "1"});
+  if (beta == 0) {
+    results.push_back({"stick_radius_ratio", 1, 0, "1"});
+    results.push_back({"one_minus_stick_radius_ratio", 0, 0, "1"});
+    return;
+  }
+  // beta / mu carries three units, which 1 - s feels with the factor of its exponent.
+  const auto s = contact::StickRatio::of(beta / mu);
+  const double sensitivity = 3 + std::min(-s.log_slip, beta / mu * 10);
+  results.push_back({"stick_radius_ratio", s.stick, 8 * unit * sensitivity * s.stick, "1"});
+  results.push_back({"one_minus_stick_radius_ratio", s.slip, 8 * unit * (3 - s.log_slip) * s.slip, "1"});
+  const auto printed = contact::seed_printed_stick_ratio(4 * beta / mu);
+  pressed.answer.beside.push_back({"stick_as_printed",
+                                   {{"stick_radius_ratio", printed.stick, 8 * unit * sensitivity * printed.stick, "1"}},
+                                   "the relation that Keppler 4.1.4 prints, with the right side inverted"});
+}
+
 }  // namespace
 
 Pressed press_balls(const BodyPair& pair, const PressScene& scene) {
@@ -167,6 +178,7 @@ Pressed press_balls(const BodyPair& pair, const PressScene& scene) {
   result.answer.main.results.push_back({"relative_radius", radius, 1.01 * unit * radius, "m"});
   try_beside(result, "sphere", contact::Sphere::of_radius(radius), load, modulus,
              "a rigid sphere of the relative radius on a half-space: what Hertz leaves out of the shape");
+  if (scene.mu && *scene.mu > 0) add_stick(result, pair, *scene.mu);
   const double ratio = result.extent / radius;
   if (ratio > narrow) {
     std::string warning = fmt::format("a/R = {:.3g} is not small", ratio);

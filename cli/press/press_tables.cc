@@ -37,9 +37,12 @@ Table surface_table(const PressScene& scene, const Pressed& pressed) {
   if (!pressed.surface) throw std::invalid_argument("profile: this law says nothing about the surface");
   const Sequence distance =
       scene.profile.distance.value_or(Sequence::equal_steps(0, 2 * pressed.extent, default_steps + 1));
-  Table table{{"x_m", "y_m", "pressure_Pa", "displacement_m", "gap_m", "pressure_error_Pa", "displacement_error_m",
-               "gap_error_m"},
-              {}};
+  Table table{{"x_m", "y_m", "pressure_Pa", "pressure_error_Pa"}, {}};
+  if (pressed.knows_displacement) {
+    for (const char* column : {"displacement_m", "displacement_error_m", "gap_m", "gap_error_m"}) {
+      table.columns.emplace_back(column);
+    }
+  }
   for (const PressureBeside& law : pressed.beside) table.columns.push_back("pressure_" + law.law + "_Pa");
   const double along_x = std::cos(scene.profile.angle);
   const double along_y = std::sin(scene.profile.angle);
@@ -48,8 +51,10 @@ Table surface_table(const PressScene& scene, const Pressed& pressed) {
     const double x = distance[i] * along_x;
     const double y = distance[i] * along_y;
     const SurfacePoint s = pressed.surface(x, y);
-    auto& row = table.rows.emplace_back(std::vector{x, y, s.pressure.value, s.displacement.value, s.gap.value,
-                                                    s.pressure.error, s.displacement.error, s.gap.error});
+    auto& row = table.rows.emplace_back(std::vector{x, y, s.pressure.value, s.pressure.error});
+    if (pressed.knows_displacement) {
+      for (const Bounded& b : {s.displacement, s.gap}) row.insert(row.end(), {b.value, b.error});
+    }
     for (const PressureBeside& law : pressed.beside) row.push_back(law.pressure(x, y));
   }
   return table;

@@ -16,9 +16,9 @@ struct Bounded {
 };
 
 struct SurfacePoint {
-  Bounded pressure;      // [Pa]
-  Bounded displacement;  // u_z [m]
-  Bounded gap;           // between the surfaces [m]; 0 in the contact
+  Bounded pressure;        // [Pa]
+  Bounded displacement{};  // u_z [m]
+  Bounded gap{};           // between the surfaces [m]; 0 in the contact
 };
 
 struct PressureBeside {
@@ -31,6 +31,7 @@ struct Pressed {
   double extent;                                              // contact radius or major semi-axis [m]
   std::function<SurfacePoint(double x, double y)> surface{};  // empty where the law says nothing of it
   std::vector<PressureBeside> beside{};
+  bool knows_displacement = true;  // else the surface has a pressure alone
 };
 
 // One function per subject; press() calls the right one. Library errors (std::invalid_argument, std::runtime_error)

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <patchgrip/cli/output_file.h>
+#include <patchgrip/cli/press/press_creep.h>
 #include <patchgrip/cli/press/press_tables.h>
 #include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/version.h>
@@ -26,7 +27,16 @@ struct Written {
   std::string csv;
 };
 
+Written written_over_time(const PressFiles& files, const PressScene& scene) {
+  const PressedOverTime pressed = press_over_time(scene);
+  auto head = head_of(files, scene, scene.profile.times ? "the surface over time" : "the contact over time");
+  head.insert(head.end(), pressed.head.begin(), pressed.head.end());
+  head.push_back("law: " + pressed.answer.main.law);
+  return {to_json(pressed.answer, files.scene, scene.title, scene.notes), to_csv(pressed.table, head)};
+}
+
 Written written(const PressFiles& files, const PressScene& scene) {
+  if (std::holds_alternative<TimedLoad>(scene.load)) return written_over_time(files, scene);
   const Pressed pressed = press(scene);
   Written result{to_json(pressed.answer, files.scene, scene.title, scene.notes), {}};
   if (files.table.empty()) return result;

@@ -1,0 +1,291 @@
+#include <patchgrip/cli/press/press_creep.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/press/press_ellipse.h>
+#include <patchgrip/cli/press/profile_of.h>
+#include <patchgrip/contact/creep/contact_creep.h>
+#include <patchgrip/contact/creep/cycles.h>
+#include <patchgrip/contact/creep/growing_ellipse.h>
+#include <patchgrip/contact/creep/press_under_force.h>
+#include <patchgrip/contact/creep/seed_creep.h>
+#include <patchgrip/contact/creep/spring_press.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using contact::ContactCreep;
+using contact::Estimate;
+using contact::ViscoelasticMaterial;
+
+constexpr double unit = 0x1p-53;
+
+ContactCreep creep_of(const BodyPair& pair) {
+  const auto relaxing = [](const Body& body) -> std::optional<ViscoelasticMaterial> {
+    if (body.relaxing) return body.relaxing;
+    if (std::isinf(body.material.youngs_modulus)) return std::nullopt;
+    return ViscoelasticMaterial::elastic(body.material);
+  };
+  const auto first = relaxing(pair.first);
+  const auto second = relaxing(pair.second);
+  if (first && second) return ContactCreep::between(*first, *second);
+  if (!first && !second) throw std::invalid_argument("bodies: two rigid bodies do not touch in an area");
+  return ContactCreep::against_rigid(first ? *first : *second);
+}
+
+// One moment of a round contact.
+struct Moment {
+  Estimate radius, approach, force;
+  std::optional<Estimate> central_pressure;  // nothing where it is infinite, or not defined
+};
+
+template <class P>
+class UnderForce {
+ public:
+  UnderForce(const P& profile, const ContactCreep& creep, const TimedLoad& load)
+      : profile_(profile),
+        creep_(creep),
+        force_(load.history),
+        press_(contact::PressUnderForce<P>::of(profile, creep, load.history, last(load))) {}
+
+  Moment at(double t) const {
+    if (t > press_.valid_until()) return by_springs(t);
+    const double a = press_.radius(t);
+    Moment moment{{a, 64 * unit * a}, press_.approach(t), {force_(t), 0}, std::nullopt};
+    if (creep_.compliance.instantaneous() > 0) moment.central_pressure = press_.pressure(0, t);
+    return moment;
+  }
+
+  Estimate pressure(double r, double t) const { return press_.pressure(r, t); }
+
+  // The surface outside is the elastic one while the contact grows: no spring there was ever pressed.
+  Bounded displacement(double r, double t) const {
+    if (t > press_.grows_until()) {
+      throw std::invalid_argument(fmt::format(
+          "profile.times: after {} s the contact shrinks, and the surface outside under a given force is not "
+          "covered; give the approach",
+          press_.grows_until()));
+    }
+    const double a = press_.radius(t);
+    const double u = a > 0 ? profile_.displacement(r, a) : 0;
+    return {u, 128 * unit * (u + press_.approach(t).value)};
+  }
+
+  bool by_closed_form(double t) const { return t <= press_.valid_until(); }
+  double grows_until() const { return press_.grows_until(); }
+
+ private:
+  static double last(const TimedLoad& load) { return load.times[load.times.size() - 1]; }
+
+  // A contact that grew, shrank and grows again: springs as wide as the largest contact of the load so far.
+  Moment by_springs(double t) const {
+    double largest = press_.load().grown(press_.grows_until());
+    for (const auto& piece : force_.pieces()) {
+      if (piece.start < t) largest = std::max(largest, force_(piece.start) * creep_.compliance(t));
+    }
+    for (int i = 0; i <= 64; ++i) largest = std::max(largest, force_(t * i / 64) * creep_.compliance(t));
+    const double widest = 1.05 * static_cast<double>(profile_.radius_of_force(largest));
+    constexpr int springs = 2000;
+    constexpr int steps = 500;
+    const auto press = contact::press_springs(profile_, creep_, force_, t, widest, springs, steps);
+    if (!press.springs.is_one_circle()) throw std::runtime_error("load: the contact is no longer one circle");
+    return {press.radius, press.approach, {force_(t), 0}, std::nullopt};
+  }
+
+  P profile_;
+  ContactCreep creep_;
+  contact::History force_;
+  contact::PressUnderForce<P> press_;
+};
+
+template <class P>
+class AtApproach {
+ public:
+  AtApproach(const P& profile, const ContactCreep& creep, const TimedLoad& load)
+      : profile_(profile), approach_(load.history), cycles_(contact::Cycles<P>::of(profile, creep, load.history)) {}
+
+  Moment at(double t) const {
+    const auto zone = cycles_.zone(t);
+    if (!zone.is_one_circle) throw std::runtime_error(fmt::format("load: at {} s the contact is not one circle", t));
+    Moment moment{{zone.radius, 64 * unit * zone.radius}, {approach_(t), 0}, zone.force, std::nullopt};
+    if (zone.radius > 0) moment.central_pressure = cycles_.pressure(0, t);
+    return moment;
+  }
+
+  Estimate pressure(double r, double t) const { return cycles_.pressure(r, t); }
+
+ private:
+  P profile_;
+  contact::History approach_;
+  contact::Cycles<P> cycles_;
+};
+
+void push(std::vector<double>& row, const Estimate& e) {
+  row.push_back(e.value);
+  row.push_back(e.error);
+}
+
+constexpr Estimate none{0, 0};
+
+std::vector<Result> results_of(double t, const Moment& m) {
+  std::vector<Result> results{{"time", t, 0, "s"},
+                              {"contact_radius", m.radius.value, m.radius.error, "m"},
+                              {"normal_force", m.force.value, m.force.error, "N"},
+                              {"approach", m.approach.value, m.approach.error, "m"}};
+  if (m.central_pressure && std::isfinite(m.central_pressure->value)) {
+    results.push_back({"central_pressure", m.central_pressure->value, m.central_pressure->error, "Pa"});
+  }
+  return results;
+}
+
+std::vector<double> row_of(double t, const Moment& m) {
+  std::vector<double> row{t};
+  push(row, m.force);
+  push(row, m.approach);
+  push(row, m.radius);
+  push(row, m.central_pressure.value_or(none));
+  return row;
+}
+
+Table history_columns() {
+  return {{"t_s", "normal_force_N", "normal_force_error_N", "approach_m", "approach_error_m", "contact_radius_m",
+           "contact_radius_error_m", "central_pressure_Pa", "central_pressure_error_Pa"},
+          {}};
+}
+
+void say_rate(const ContactCreep& creep, std::vector<std::string>& head) {
+  const auto& modes = creep.compliance.modes();
+  if (modes.size() == 1) head.push_back(fmt::format("the contact creeps with alpha = {:.17g} 1/s", 1 / modes[0].time));
+}
+
+template <class P>
+PressedOverTime under_force(const P& profile, const ProfileName& name, const ContactCreep& creep, const TimedLoad& load,
+                            const PressScene& scene) {
+  const UnderForce<P> press(profile, creep, load);
+  PressedOverTime result;
+  say_rate(creep, result.head);
+  const double last = load.times[load.times.size() - 1];
+  result.answer.main = {name.law, results_of(last, press.at(last)),
+                        name.remark + (press.by_closed_form(last)
+                                           ? "; Lee and Radok while the contact grows, Ting while it shrinks"
+                                           : "; independent springs, since the contact grows again after it shrank")};
+  result.answer.main.results.push_back({"grows_until", press.grows_until(), 1e-12 * press.grows_until(), "s"});
+  const bool seed = creep.compliance.instantaneous() > 0;
+  if (seed) {
+    const Estimate e = contact::seed_creep_approach(profile, creep, load.history, last);
+    result.answer.beside.push_back({"seed_creep",
+                                    {{"approach", e.value, e.error, "m"}},
+                                    "Keppler 4.28 and 4.72, linear in F^(2/3): not the solution"});
+  }
+  if (scene.profile.times) {
+    result.table = {{"t_s", "x_m", "pressure_Pa", "displacement_m", "pressure_error_Pa", "displacement_error_m"}, {}};
+    for (std::size_t k = 0; k < scene.profile.times->size(); ++k) {
+      const double t = (*scene.profile.times)[k];
+      const double a = press.at(t).radius.value;
+      const Sequence distance = scene.profile.distance.value_or(Sequence::equal_steps(0, 2 * a, 201));
+      for (std::size_t i = 0; i < distance.size(); ++i) {
+        InterruptGuard::check();
+        const double r = distance[i];
+        const Estimate p = press.pressure(r, t);
+        const Bounded u = press.displacement(r, t);
+        result.table.rows.push_back({t, r, p.value, u.value, p.error, u.error});
+      }
+    }
+    return result;
+  }
+  result.table = history_columns();
+  if (seed) result.table.columns.insert(result.table.columns.end(), {"seed_approach_m"});
+  for (std::size_t i = 0; i < load.times.size(); ++i) {
+    InterruptGuard::check();
+    auto row = row_of(load.times[i], press.at(load.times[i]));
+    if (seed) row.push_back(contact::seed_creep_approach(profile, creep, load.history, load.times[i]).value);
+    result.table.rows.push_back(std::move(row));
+  }
+  return result;
+}
+
+template <class P>
+PressedOverTime at_approach(const P& profile, const ProfileName& name, const ContactCreep& creep, const TimedLoad& load,
+                            const PressScene& scene) {
+  const AtApproach<P> press(profile, creep, load);
+  PressedOverTime result;
+  say_rate(creep, result.head);
+  const double last = load.times[load.times.size() - 1];
+  result.answer.main = {name.law, results_of(last, press.at(last)),
+                        name.remark + "; a foundation of independent springs in closed form, any number of cycles"};
+  if (scene.profile.times) {
+    result.table = {{"t_s", "x_m", "pressure_Pa", "pressure_error_Pa"}, {}};
+    for (std::size_t k = 0; k < scene.profile.times->size(); ++k) {
+      const double t = (*scene.profile.times)[k];
+      const double a = press.at(t).radius.value;
+      const Sequence distance = scene.profile.distance.value_or(Sequence::equal_steps(0, 1.25 * a, 126));
+      for (std::size_t i = 0; i < distance.size(); ++i) {
+        InterruptGuard::check();
+        const Estimate p = press.pressure(distance[i], t);
+        result.table.rows.push_back({t, distance[i], p.value, p.error});
+      }
+    }
+    return result;
+  }
+  result.table = history_columns();
+  for (std::size_t i = 0; i < load.times.size(); ++i) {
+    InterruptGuard::check();
+    result.table.rows.push_back(row_of(load.times[i], press.at(load.times[i])));
+  }
+  return result;
+}
+
+PressedOverTime growing_ellipse(const contact::RelativeRadii& radii, const ContactCreep& creep, const TimedLoad& load,
+                                const PressScene& scene) {
+  if (load.kind != LoadKind::normal_force) {
+    throw std::invalid_argument("load.approach: an ellipse over time is covered under a given force");
+  }
+  if (scene.profile.times) throw std::invalid_argument("profile.times: not covered for an ellipse over time");
+  PressedOverTime result;
+  say_rate(creep, result.head);
+  result.table.columns = {"t_s", "normal_force_N", "approach_m", "semi_axis_a_m", "semi_axis_b_m"};
+  for (std::size_t i = 0; i < load.times.size(); ++i) {
+    const double t = load.times[i];
+    const auto e = contact::GrowingEllipse::under_force(radii, creep, load.history, t);
+    result.table.rows.push_back({t, load.history(t), e.approach, e.a, e.b});
+    if (i + 1 < load.times.size()) continue;
+    const double relative = 32 * unit;
+    result.answer.main = {"hertz_ellipse",
+                          {{"time", t, 0, "s"},
+                           {"semi_axis_a", e.a, relative * e.a, "m"},
+                           {"semi_axis_b", e.b, relative * e.b, "m"},
+                           {"approach", e.approach, relative * e.approach, "m"}},
+                          "Lee and Radok: the shape of the ellipse does not creep while it grows"};
+  }
+  return result;
+}
+
+}  // namespace
+
+PressedOverTime press_over_time(const PressScene& scene) {
+  const auto* pair = std::get_if<BodyPair>(&scene.subject);
+  if (pair == nullptr) throw std::invalid_argument("load: [load] takes two bodies");
+  if (scene.adhesion) throw std::invalid_argument("adhesion: not covered together with [load]");
+  const auto& load = std::get<TimedLoad>(scene.load);
+  const ContactCreep creep = creep_of(*pair);
+  const auto first = curved_surface(pair->first.shape);
+  const auto second = curved_surface(pair->second.shape);
+  if (first && second && !relative_radius_of(*pair)) {
+    const auto radii = contact::RelativeRadii::of_bodies(
+        {first->radii[0], first->radii[1]}, {second->radii[0], second->radii[1]}, second->direction - first->direction);
+    return growing_ellipse(radii, creep, load, scene);
+  }
+  return visit_profile(*pair, [&](auto profile, const ProfileName& name) {
+    return load.kind == LoadKind::normal_force ? under_force(profile, name, creep, load, scene)
+                                               : at_approach(profile, name, creep, load, scene);
+  });
+}
+
+}  // namespace patchgrip::cli
