@@ -1,6 +1,6 @@
 // One row of a friction table: the wrench of a scene's contact in one motion, and the bound of its error.
 //
-// The bound is about the exact result for the numbers of the scene as doubles: rounding of the twist, and of a Hertz
+// The bound is about the exact result for the numbers of the scene as doubles: rounding of the twist, and of a
 // radius that follows from bodies, is part of it.
 #pragma once
 
@@ -28,9 +28,14 @@ friction::BoundedWrench friction_row(const Contact& contact, const friction::Law
   if (turns && motion.angular_speed != 1) {
     add(error_of_twist(law, contact.normal_force, moments, gradient.value, motion.twist));
   }
-  if (turns && contact.hertz) {
-    add(error_of_radius(law, contact.normal_force, contact.hertz->radius, contact.centre, motion.twist,
-                        contact.hertz->error));
+  if (turns && contact.radius_error > 0) {
+    const friction::Twist about_centre = moved_to(contact.centre, motion.twist);
+    const DiscMotion disc = std::visit(
+        [&](const auto& d) {
+          return DiscMotion{d.moments(), d.gradient(about_centre), d.hessian(about_centre), about_centre};
+        },
+        contact.patch);
+    add(error_of_radius(law, contact.normal_force, disc, contact.centre, contact.radius_error));
   }
   return row;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <patchgrip/friction/hertz_disc.h>
-
 namespace patchgrip::cli {
 namespace {
 
@@ -12,10 +10,6 @@ using friction::Law;
 using friction::PressureMoments;
 using friction::Twist;
 using friction::Wrench;
-
-Twist moved_to(const friction::Pole& centre, const Twist& v) noexcept {
-  return {v.vx - v.w * centre.y, v.vy + v.w * centre.x, v.w};
-}
 
 // |d mu| for an error of v_m^2, by the mean value theorem.
 double error_of_coefficient(const Law& law, double mean_square, double mean_square_error) noexcept {
@@ -26,6 +20,10 @@ double error_of_coefficient(const Law& law, double mean_square, double mean_squa
 }
 
 }  // namespace
+
+Twist moved_to(const friction::Pole& point, const Twist& v) noexcept {
+  return {v.vx - v.w * point.y, v.vy + v.w * point.x, v.w};
+}
 
 WrenchError error_of_twist(const Law& law, double normal_force, const PressureMoments& moments, const Wrench& gradient,
                            const Twist& v) noexcept {
@@ -38,18 +36,13 @@ WrenchError error_of_twist(const Law& law, double normal_force, const PressureMo
           normal_force * (dmu * std::fabs(gradient.m) + viscous * std::hypot(moments.x, moments.y))};
 }
 
-WrenchError error_of_radius(const Law& law, double normal_force, double radius, const friction::Pole& centre,
-                            const Twist& v, double delta) {
-  const auto disc = friction::HertzDisc::of_radius(radius);
-  const Twist about_centre = moved_to(centre, v);
-  const Wrench g = disc.gradient(about_centre);
-  const friction::Hessian h = disc.hessian(about_centre);
-  const PressureMoments moments = disc.moments();
-
+WrenchError error_of_radius(const Law& law, double normal_force, const DiscMotion& disc, const friction::Pole& centre,
+                            double delta) {
+  const auto& [moments, g, h, v] = disc;
   const double spin = std::fabs(v.w);
   const double mean_square_error = 2 * delta * v.w * v.w * moments.polar;
-  const double mu = friction::coefficient(law, moments, about_centre);
-  const double dmu = error_of_coefficient(law, friction::mean_square_speed(moments, about_centre), mean_square_error);
+  const double mu = friction::coefficient(law, moments, v);
+  const double dmu = error_of_coefficient(law, friction::mean_square_speed(moments, v), mean_square_error);
   const double force = normal_force * (mu * delta * spin * std::hypot(h.xw, h.yw) + dmu * std::hypot(g.fx, g.fy));
   const double moment = normal_force * (mu * delta * (std::fabs(g.m) + spin * std::fabs(h.ww)) + dmu * std::fabs(g.m) +
                                         2 * delta * law.mu_viscous * spin * moments.polar);

@@ -1,5 +1,5 @@
 // What a friction wrench owes to inputs that are themselves rounded: a twist made from an exact pole and angular speed,
-// and a Hertz radius computed from bodies.
+// and a radius computed from bodies.
 //
 //     twist     |d(vx, vy)| <= 2^-53 |(vx, vy)|. grad D sees only the pole and the spin; the error reaches mu(v_m), by
 //               d(v_m^2) <= 2 |v_c| |dv| + |dv|^2, and the viscous part.
@@ -26,8 +26,19 @@ struct WrenchError {
 WrenchError error_of_twist(const friction::Law& law, double normal_force, const friction::PressureMoments& moments,
                            const friction::Wrench& gradient, const friction::Twist& v) noexcept;
 
-// For a Hertz disc of radius `radius` about `centre`, whose relative error is `delta`; v may not be 0.
-WrenchError error_of_radius(const friction::Law& law, double normal_force, double radius, const friction::Pole& centre,
-                            const friction::Twist& v, double delta);
+// For a disc about `centre` whose radius has the relative error `delta`; moments, gradient and Hessian of D are those of
+// the disc about its own centre, at `about_centre`.
+struct DiscMotion {
+  friction::PressureMoments moments;
+  friction::Wrench gradient;
+  friction::Hessian hessian;
+  friction::Twist about_centre;
+};
+
+WrenchError error_of_radius(const friction::Law& law, double normal_force, const DiscMotion& disc,
+                            const friction::Pole& centre, double delta);
+
+// v as seen from a point.
+friction::Twist moved_to(const friction::Pole& point, const friction::Twist& v) noexcept;
 
 }  // namespace patchgrip::cli

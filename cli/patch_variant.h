@@ -12,6 +12,7 @@
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
 #include <patchgrip/friction/seed_hertz_disc.h>
+#include <patchgrip/friction/stamp_disc.h>
 #include <patchgrip/friction/twist.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/friction/xydas_kao_disc.h>
@@ -20,7 +21,7 @@ namespace patchgrip::cli {
 
 using PatchVariant = std::variant<friction::HertzDisc, friction::FlatPunchDisc, friction::UniformDisc, friction::Ring,
                                   friction::PowerDisc, friction::XydasKaoDisc, friction::Rectangle, friction::Polygon,
-                                  friction::SeedHertzDisc>;
+                                  friction::SeedHertzDisc, friction::StampDisc>;
 
 // f(patch) with the patch moved so that its own origin lies at `centre`.
 template <class F>

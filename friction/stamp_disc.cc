@@ -13,10 +13,11 @@ namespace {
 struct PunchLevels {
   const std::function<double(double)>& share_per_radius;
   double radius;
+  double carried;  // what the shares add up to, for lack of digits: 1
 
   kernels::StackNumber conjugate(const kernels::StackNumber& number) const { return {number.complement, number.value}; }
   double share(const kernels::StackNumber&, const kernels::StackNumber& R) const {
-    return radius * share_per_radius(radius * R.value);
+    return radius * share_per_radius(radius * R.value) / carried;
   }
 };
 
@@ -28,10 +29,11 @@ StampDisc StampDisc::of_punches(double radius, const std::function<double(double
   contact::require_positive("radius", radius);
   contact::require_in("order", order, 0.5, 1000);
   static const auto punch = kernels::power_table(0);
-  const kernels::DiscStack stack(PunchLevels{share_per_radius, radius}, *punch);
-  const double carried = static_cast<double>(stack.outside(1).force);  // the pole at infinity
+  const kernels::DiscStack given(PunchLevels{share_per_radius, radius, 1}, *punch);
+  const double carried = static_cast<double>(given.outside(1).force);  // the pole at infinity
   constexpr double tolerance = 1e-12;
   contact::require_in("share of the normal force", carried, 1 - tolerance, 1 + tolerance);
+  const kernels::DiscStack stack(PunchLevels{share_per_radius, radius, carried}, *punch);
   // The pressure has a root at the rim; at the centre f / x and m carry a singular part of order x^order.
   const kernels::RoundLevels levels{kernels::rim_levels(0.5), std::max(4, static_cast<int>(std::ceil(56 / order)))};
   auto table = std::make_shared<const kernels::RoundTable>(kernels::RoundTable::build<long double>(stack, levels));

@@ -11,7 +11,8 @@
 //
 // Domain   every pole; w smooth in (0, a] and ~ s^order at s = 0 with order >= 1/2: no flat end, no kink.
 // Units    a, s [m], w [1/m].
-// Error    <= 8 units of 2^-53 of force and of moment (round_patch.h), and twice the relative error of w.
+// Error    <= 8 units of 2^-53 of force and of moment (round_patch.h), and the relative error of w where that differs
+//          from punch to punch.
 // Throws   std::invalid_argument outside the domain, and where w does not carry the whole force.
 #pragma once
 

@@ -3,9 +3,10 @@
 #include <patchgrip/cli/press/press_adhesion.h>
 #include <patchgrip/cli/press/press_ellipse.h>
 #include <patchgrip/cli/press/press_given.h>
+#include <patchgrip/cli/press/press_height_map.h>
 #include <patchgrip/cli/press/press_round.h>
 #include <patchgrip/cli/press/pressed.h>
-#include <patchgrip/cli/press/profile_of.h>
+#include <patchgrip/cli/scene/profile_of.h>
 #include <patchgrip/contact/material.h>
 
 namespace patchgrip::cli {
@@ -21,6 +22,7 @@ Pressed press_pair(const BodyPair& pair, const PressScene& scene) {
     if (!radius) throw std::invalid_argument("adhesion: covered between balls, hollows and planes");
     return press_adhesive(*radius, modulus, scene);
   }
+  if (height_map_of(pair) != nullptr) return press_height_map(pair, modulus, scene);
   if (radius) return press_balls(pair, scene);
   if (stamp_of(pair) != nullptr) return press_stamp(pair, scene);
   const auto first = curved_surface(pair.first.shape);

@@ -10,7 +10,7 @@
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/press/press_ellipse.h>
-#include <patchgrip/cli/press/profile_of.h>
+#include <patchgrip/cli/scene/profile_of.h>
 #include <patchgrip/contact/creep/contact_creep.h>
 #include <patchgrip/contact/creep/cycles.h>
 #include <patchgrip/contact/creep/growing_ellipse.h>

@@ -11,7 +11,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include <patchgrip/cli/press/loaded.h>
-#include <patchgrip/cli/press/profile_of.h>
+#include <patchgrip/cli/scene/profile_of.h>
 #include <patchgrip/contact/axisymmetric.h>
 #include <patchgrip/contact/dundurs.h>
 #include <patchgrip/contact/flat_punch.h>

@@ -64,9 +64,9 @@ struct Described {
 Described read_bodies(const TomlReader& contact, const MaterialLibrary& materials) {
   contact.refuse_others({"bodies", "normal_force", "approach", "contact_radius", "centre", "model"},
                         "not used beside 'bodies'; give bodies, a patch or a fingertip");
-  auto [first, second] = read_two_bodies(contact, "bodies", materials);
-  std::vector<std::string> notes{"body A: " + first.words, "body B: " + second.words};
-  return {BodyPair{std::move(first), std::move(second)}, std::move(notes)};
+  BodyPair pair = read_two_bodies(contact, "bodies", materials);
+  std::vector<std::string> notes{"body A: " + pair.first.words, "body B: " + pair.second.words};
+  return {std::move(pair), std::move(notes)};
 }
 
 Described read_given_pressure(const TomlReader& contact) {

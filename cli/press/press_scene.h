@@ -18,11 +18,6 @@
 
 namespace patchgrip::cli {
 
-// Two bodies, body A and body B.
-struct BodyPair {
-  Body first, second;
-};
-
 // A pressure, from which the shape of the stamp follows.
 struct GivenPressure {
   PatchVariant patch;

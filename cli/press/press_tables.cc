@@ -34,6 +34,7 @@ void add_law(const LawAnswer& law, const std::string& prefix, bool errors, std::
 }  // namespace
 
 Table surface_table(const PressScene& scene, const Pressed& pressed) {
+  if (pressed.map && !scene.profile.distance) return *pressed.map;
   if (!pressed.surface) throw std::invalid_argument("profile: this law says nothing about the surface");
   const Sequence distance =
       scene.profile.distance.value_or(Sequence::equal_steps(0, 2 * pressed.extent, default_steps + 1));

@@ -7,7 +7,8 @@
 
 namespace patchgrip::cli {
 
-// x, y, pressure, displacement and gap with their errors, then the pressures of the laws beside.
+// x, y, pressure, displacement and gap with their errors, then the pressures of the laws beside; of a contact on a grid
+// every cell, unless the scene asks for a line.
 Table surface_table(const PressScene& scene, const Pressed& pressed);
 
 // The swept quantity, then every quantity of the answer with its error, then those of the laws beside.

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <patchgrip/cli/press/answer.h>
 #include <patchgrip/cli/press/press_scene.h>
+#include <patchgrip/cli/press/table.h>
 
 namespace patchgrip::cli {
 
@@ -32,6 +34,7 @@ struct Pressed {
   std::function<SurfacePoint(double x, double y)> surface{};  // empty where the law says nothing of it
   std::vector<PressureBeside> beside{};
   bool knows_displacement = true;  // else the surface has a pressure alone
+  std::optional<Table> map{};      // the pressure of every cell of a grid
 };
 
 // One function per subject; press() calls the right one. Library errors (std::invalid_argument, std::runtime_error)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include <patchgrip/cli/scene/nearest_name.h>
@@ -72,21 +73,13 @@ Body read_body(const TomlReader& body, const MaterialLibrary& materials) {
 
 }  // namespace
 
-std::pair<Body, Body> read_two_bodies(const TomlReader& contact, std::string_view key,
-                                      const MaterialLibrary& materials) {
-  const auto bodies = contact.tables(key, {"radius",         "plane",
-                                           "concave",        "radii",
-                                           "cylinder",       "direction",
-                                           "stamp",          "slope",
-                                           "coefficient",    "exponent",
-                                           "terms",          "end_radius",
-                                           "points",         "mesh",
-                                           "point",          "unit",
-                                           "height_map",     "material",
-                                           "youngs_modulus", "poisson_ratio",
-                                           "rigid",          "poynting_thomson",
-                                           "kelvin_voigt",   "maxwell",
-                                           "relaxation",     "creep"});
+BodyPair read_two_bodies(const TomlReader& contact, std::string_view key, const MaterialLibrary& materials) {
+  const auto bodies = contact.tables(
+      key,
+      {"radius",        "plane",       "concave",          "radii",        "cylinder",   "direction",  "stamp",
+       "slope",         "coefficient", "exponent",         "terms",        "end_radius", "points",     "mesh",
+       "point",         "unit",        "height_map",       "cell",         "periodic",   "material",   "youngs_modulus",
+       "poisson_ratio", "rigid",       "poynting_thomson", "kelvin_voigt", "maxwell",    "relaxation", "creep"});
   if (bodies.size() != 2) {
     contact.refuse(key, fmt::format("two bodies, each under [[{}]], not {}", contact.full_name(key), bodies.size()));
   }

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include <patchgrip/cli/scene/materials.h>
 #include <patchgrip/cli/scene/shape.h>
@@ -21,8 +20,11 @@ struct Body {
   std::string words;
 };
 
+struct BodyPair {
+  Body first, second;  // body A, body B
+};
+
 // Throws SceneError.
-std::pair<Body, Body> read_two_bodies(const TomlReader& contact, std::string_view key,
-                                      const MaterialLibrary& materials);
+BodyPair read_two_bodies(const TomlReader& contact, std::string_view key, const MaterialLibrary& materials);
 
 }  // namespace patchgrip::cli

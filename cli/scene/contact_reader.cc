@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <patchgrip/cli/scene/body_reader.h>
 #include <patchgrip/cli/scene/outline_reader.h>
+#include <patchgrip/cli/scene/profile_of.h>
+#include <patchgrip/contact/axisymmetric.h>
 #include <patchgrip/contact/hertz_circle.h>
 
 namespace patchgrip::cli {
@@ -19,7 +21,10 @@ constexpr Quantity exponent_range{"the exponent n of (1 - r^2/a^2)^(n - 1/2)", -
 constexpr Quantity alpha_range{"the exponent alpha of (1 - (r/a)^alpha)^(1/alpha)", 0.5, 50};
 
 // Relative: 4 units of 2^-53 of its own, and a third of those of contact modulus (6) and relative radius (4).
-constexpr double hertz_radius_error = 8 * 0x1p-53;
+constexpr double computed_radius_error = 8 * 0x1p-53;
+
+// The profiles' own, up to 4 + 8 / m units for the least m = 0.05 of a power, and that of their punch loads.
+constexpr double stamp_radius_error = 256 * 0x1p-53;
 
 enum class Kind { hertz_disc, flat_punch_disc, uniform_disc, ring, power_disc, xydas_kao_disc, rectangle, polygon };
 constexpr std::array<std::string_view, 8> kind_names{"hertz_disc", "flat_punch_disc", "uniform_disc", "ring",
@@ -90,31 +95,73 @@ Described read_polygon(const TomlReader& contact) {
           std::move(words)};
 }
 
-double radius_of_ball(const TomlReader& contact, const Shape& shape) {
-  if (std::holds_alternative<Plane>(shape)) return std::numeric_limits<double>::infinity();
-  if (const auto* ball = std::get_if<Ball>(&shape)) return ball->radius;
-  contact.refuse("bodies", "friction is tabulated between balls, hollows and planes");
+// The exponent m of w ~ s^m at the axis (stamp_disc.h).
+struct Order {
+  double operator()(const contact::Cone&) const { return 1; }
+  double operator()(const contact::PowerProfile& power) const { return power.exponent(); }
+  template <class Smooth>
+  double operator()(const Smooth&) const {
+    return 2;
+  }
+};
+
+Described punch_stack(const BodyPair& pair, double force, double modulus) {
+  return visit_profile(pair, [&](auto profile, const ProfileName& name) -> Described {
+    using P = decltype(profile);
+    if constexpr (std::is_same_v<P, contact::FlatEndCone> || std::is_same_v<P, contact::FlatEndParaboloid> ||
+                  std::is_same_v<P, contact::PointProfile>) {
+      throw std::invalid_argument("a stamp with a flat end or kinks is pressed, but not rubbed");
+    } else {
+      const double order = Order{}(profile);
+      const auto c = contact::AxisymmetricContact<P>::under_force(std::move(profile), force, modulus);
+      return {friction::StampDisc::of_punches(
+                  c.radius(), [&](double x) { return c.punch_load_density(x); }, order),
+              fmt::format("disc under {}, radius {} m", name.remark, c.radius())};
+    }
+  });
+}
+
+struct RoundContact {
+  Described disc;
+  double radius_error;  // relative
+  std::string validity;
+};
+
+RoundContact round_contact(const TomlReader& contact, const BodyPair& pair, double force) {
+  const double modulus = contact::contact_modulus(pair.first.material, pair.second.material);
+  if (const auto radius = relative_radius_of(pair)) {
+    const double a = contact::HertzCircle::under_force(force, *radius, modulus).radius;
+    return {hertz_disc(contact, a), computed_radius_error,
+            fmt::format("from two bodies by Hertz, a/R = {:.2g} (the half-space theory wants it small)", a / *radius)};
+  }
+  const Shape* stamp = stamp_of(pair);
+  if (stamp == nullptr)
+    throw std::invalid_argument("friction is tabulated between balls, hollows and planes, and under stamps");
+  if (const auto* punch = std::get_if<FlatPunchStamp>(stamp)) {
+    return {{friction::FlatPunchDisc::of_radius(punch->radius),
+             fmt::format("disc under a flat punch, radius {} m", punch->radius)},
+            0,
+            "from two bodies: a flat punch on a half-space"};
+  }
+  return {punch_stack(pair, force, modulus), stamp_radius_error, "from two bodies: a stamp on a half-space"};
 }
 
 Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials) {
   contact.refuse_others({"bodies", "normal_force", "centre", "model"},
                         "not used beside 'bodies', from which the contact follows; give either bodies or a patch");
-  const auto [first, second] = read_two_bodies(contact, "bodies", materials);
-  if (first.relaxing || second.relaxing) contact.refuse("bodies", "friction is tabulated between elastic bodies");
+  const BodyPair pair = read_two_bodies(contact, "bodies", materials);
+  if (pair.first.relaxing || pair.second.relaxing) {
+    contact.refuse("bodies", "friction is tabulated between elastic bodies");
+  }
   const double force = contact.number("normal_force", positive("a force in N"));
-  return made(contact, "bodies", [&, &one = first, &other = second]() -> Contact {
-    const double relative_radius =
-        contact::relative_radius(radius_of_ball(contact, one.shape), radius_of_ball(contact, other.shape));
-    const double modulus = contact::contact_modulus(one.material, other.material);
-    const double radius = contact::HertzCircle::under_force(force, relative_radius, modulus).radius;
-    Described disc = hertz_disc(contact, radius);
-    std::string validity = fmt::format("from two bodies by Hertz, a/R = {:.2g} (the half-space theory wants it small)",
-                                       radius / relative_radius);
-    return {std::move(disc.patch),
+  return made(contact, "bodies", [&]() -> Contact {
+    RoundContact round = round_contact(contact, pair, force);
+    return {std::move(round.disc.patch),
             {},
             force,
-            ComputedRadius{radius, hertz_radius_error},
-            {std::move(disc.words), std::move(validity), "body A: " + one.words, "body B: " + other.words}};
+            round.radius_error,
+            {std::move(round.disc.words), std::move(round.validity), "body A: " + pair.first.words,
+             "body B: " + pair.second.words}};
   });
 }
 
@@ -123,7 +170,7 @@ Contact read_given_patch(const TomlReader& contact) {
   return {std::move(patch.patch),
           {},
           contact.number("normal_force", positive("a force in N")),
-          std::nullopt,
+          0,
           {std::move(patch.words)}};
 }
 

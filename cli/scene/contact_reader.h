@@ -1,7 +1,6 @@
-// The table [contact] of a scene: a patch by its kind and size, or two bodies from which the Hertz circle follows.
+// The table [contact] of a scene: a patch by its kind and size, or two bodies from which a round one follows.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,17 +11,12 @@
 
 namespace patchgrip::cli {
 
-struct ComputedRadius {
-  double radius;  // [m]
-  double error;   // relative, against the exact radius for the given bodies
-};
-
 struct Contact {
   PatchVariant patch;
-  friction::Pole centre;                // [m], where the patch has its own origin
-  double normal_force;                  // F_N [N], > 0
-  std::optional<ComputedRadius> hertz;  // of a Hertz disc that follows from bodies
-  std::vector<std::string> notes;       // the contact in words, for the head of a table
+  friction::Pole centre;           // [m], where the patch has its own origin
+  double normal_force;             // F_N [N], > 0
+  double radius_error;             // relative, of a disc whose radius follows from bodies; else 0
+  std::vector<std::string> notes;  // the contact in words, for the head of a table
 };
 
 struct DescribedPatch {

@@ -30,7 +30,7 @@ struct Kind {
 
 // A flag that is false is as good as absent.
 bool is_given(const TomlReader& body, std::string_view key) {
-  return key == "plane" || key == "concave" ? body.flag(key) : body.has(key);
+  return key == "plane" || key == "concave" || key == "periodic" ? body.flag(key) : body.has(key);
 }
 
 void refuse_others(const TomlReader& body, const Kind& kind, std::string_view selector) {
@@ -148,7 +148,11 @@ DescribedShape read_mesh(const TomlReader& body) {
 }
 
 DescribedShape read_height_map(const TomlReader& body) {
-  return {HeightMapFile{beside_scene(body, "height_map")}, "height map " + body.text("height_map")};
+  const Sides cell = read_sides(body, "cell");
+  const bool periodic = body.flag("periodic");
+  return {HeightMapFile{beside_scene(body, "height_map"), {cell.along_x, cell.along_y}, periodic},
+          fmt::format("height map {}, cells of {} m by {} m{}", body.text("height_map"), cell.along_x, cell.along_y,
+                      periodic ? ", periodic" : "")};
 }
 
 }  // namespace
@@ -159,7 +163,7 @@ DescribedShape read_shape(const TomlReader& body) {
                                           {"radii", {"direction"}, read_radii},
                                           {"cylinder", {"direction"}, read_cylinder},
                                           {"mesh", {"point", "unit", "direction"}, read_mesh},
-                                          {"height_map", {}, read_height_map},
+                                          {"height_map", {"cell", "periodic"}, read_height_map},
                                           {"radius", {"concave"}, read_ball}}};
   const auto kind = std::ranges::find_if(kinds, [&](const Kind& k) { return is_given(body, k.name); });
   if (kind == kinds.end()) {

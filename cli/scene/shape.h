@@ -61,9 +61,11 @@ struct MeshSurface {
   double direction;             // of the mesh's own x-axis against that of the contact [rad]
 };
 
-// A gap on a grid.
+// Heights on a grid (contact/half_space/height_map.h), its middle at the origin.
 struct HeightMapFile {
-  std::filesystem::path file;
+  std::filesystem::path path;
+  std::array<double, 2> cell;  // size of a cell along x and y [m]
+  bool periodic;               // the map repeats without end
 };
 
 using Shape = std::variant<Ball, Plane, CurvedSurface, SphereStamp, ConeStamp, PowerStamp, FlatPunchStamp,
@@ -75,9 +77,9 @@ struct DescribedShape {
 };
 
 // Keys of a body that describe its shape.
-inline constexpr std::array<std::string_view, 17> shape_keys{
-    "radius",   "plane", "concave",    "radii",  "cylinder", "direction", "stamp",      "slope", "coefficient",
-    "exponent", "terms", "end_radius", "points", "mesh",     "point",     "height_map", "unit"};
+inline constexpr std::array<std::string_view, 19> shape_keys{
+    "radius", "plane",      "concave", "radii", "cylinder", "direction",  "stamp", "slope", "coefficient", "exponent",
+    "terms",  "end_radius", "points",  "mesh",  "point",    "height_map", "unit",  "cell",  "periodic"};
 
 // Throws SceneError. Files are looked for beside the scene.
 DescribedShape read_shape(const TomlReader& body);

@@ -1,4 +1,4 @@
-#include <patchgrip/cli/press/profile_of.h>
+#include <patchgrip/cli/scene/profile_of.h>
 
 #include <limits>
 #include <type_traits>

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include <patchgrip/cli/press/press_scene.h>
+#include <patchgrip/cli/scene/body_reader.h>
 #include <patchgrip/contact/cone.h>
 #include <patchgrip/contact/flat_end_cone.h>
 #include <patchgrip/contact/flat_end_paraboloid.h>

@@ -1,0 +1,148 @@
+#include <patchgrip/cli/press/press_height_map.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/press/press_ellipse.h>
+#include <patchgrip/cli/progress.h>
+#include <patchgrip/contact/half_space/convolution.h>
+#include <patchgrip/contact/half_space/height_map.h>
+#include <patchgrip/contact/half_space/press.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using contact::Estimate;
+using contact::Grid;
+using contact::PressedHalfSpace;
+
+contact::HeightMap read_map(const HeightMapFile& file) {
+  std::ifstream in(file.path);
+  if (!in) throw std::invalid_argument(fmt::format("height_map: {} cannot be read", file.path.string()));
+  return contact::HeightMap::read(in, file.path.string());
+}
+
+// Height of the other body above its lowest point, to second order.
+double height_of(const CurvedSurface& surface, double x, double y) {
+  const double c = std::cos(surface.direction);
+  const double s = std::sin(surface.direction);
+  const double first = c * x + s * y;
+  const double second = c * y - s * x;
+  return first * first / (2 * surface.radii[0]) + second * second / (2 * surface.radii[1]);
+}
+
+struct Gap {
+  Grid grid;
+  std::vector<double> values;
+};
+
+Gap gap_of(const HeightMapFile& file, const CurvedSurface& other) {
+  const contact::HeightMap map = read_map(file);
+  Gap gap{map.grid(file.cell[0], file.cell[1]), map.gap_below_flat()};
+  for (int j = 0; j < gap.grid.ny; ++j) {
+    for (int i = 0; i < gap.grid.nx; ++i) {
+      gap.values[gap.grid.index(i, j)] += height_of(other, gap.grid.x(i), gap.grid.y(j));
+    }
+  }
+  const double least = *std::ranges::min_element(gap.values);
+  for (double& g : gap.values) g -= least;
+  return gap;
+}
+
+contact::Press press_of(const StaticLoad& load) {
+  if (load.kind == LoadKind::contact_radius) {
+    throw std::invalid_argument("contact_radius: a height map takes 'normal_force' or 'approach'");
+  }
+  return load.kind == LoadKind::normal_force ? contact::Press::by_force(load.value)
+                                             : contact::Press::by_approach(load.value);
+}
+
+LawAnswer answer_of(const PressedHalfSpace& p, double modulus) {
+  const auto estimated = [](const char* name, const Estimate& e, const char* of) {
+    return Result{name, e.value, e.error, of};
+  };
+  LawAnswer answer{
+      "half_space",
+      {estimated("normal_force", p.force, "N"),
+       estimated("approach", p.approach, "m"),
+       estimated("peak_pressure", p.peak_pressure, "Pa"),
+       estimated("contact_area", p.area, "m^2"),
+       {"contact_modulus", modulus, 0x1p-52 * modulus, "Pa"},
+       {"residual", p.residual, 0, "1"}},
+      fmt::format("numerical half-space on {} x {} cells, {} iterations; errors are estimates by refinement", p.grid.nx,
+                  p.grid.ny, p.iterations)};
+  answer.results.push_back({"zones", static_cast<double>(p.zones.size()), 0, "1"});
+  return answer;
+}
+
+Table map_of(const PressedHalfSpace& p) {
+  Table map{{"x_m", "y_m", "pressure_Pa"}, {}};
+  map.rows.reserve(p.grid.size());
+  for (int j = 0; j < p.grid.ny; ++j) {
+    for (int i = 0; i < p.grid.nx; ++i) {
+      map.rows.push_back({p.grid.x(i), p.grid.y(j), p.pressure[p.grid.index(i, j)]});
+    }
+  }
+  return map;
+}
+
+// The cell that a point lies in, if any.
+std::optional<std::size_t> cell_at(const Grid& grid, double x, double y) {
+  const double i = std::floor(x / grid.dx + 0.5 * grid.nx);
+  const double j = std::floor(y / grid.dy + 0.5 * grid.ny);
+  if (!(i >= 0 && j >= 0 && i < grid.nx && j < grid.ny)) return std::nullopt;
+  return grid.index(static_cast<int>(i), static_cast<int>(j));
+}
+
+}  // namespace
+
+const HeightMapFile* height_map_of(const BodyPair& pair) {
+  if (const auto* map = std::get_if<HeightMapFile>(&pair.first.shape)) return map;
+  return std::get_if<HeightMapFile>(&pair.second.shape);
+}
+
+Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene& scene) {
+  const HeightMapFile& file = *height_map_of(pair);
+  const bool first = std::holds_alternative<HeightMapFile>(pair.first.shape);
+  const auto other = curved_surface(first ? pair.second.shape : pair.first.shape);
+  if (!other) throw std::invalid_argument("bodies: a height map presses on a plane, a ball or a curved body");
+  const auto surface = file.periodic ? contact::Surface::periodic : contact::Surface::free;
+  const Gap gap = gap_of(file, *other);
+
+  contact::PressSettings settings;
+  constexpr int no_output = -1;  // nothing is written while it runs
+  Progress progress("press", 100, Progress::wanted(no_output));
+  settings.observer = [&](const contact::SolverProgress& at) {
+    InterruptGuard::check();
+    const double digits = std::log(at.residual) / std::log(settings.tolerance);
+    progress.at(static_cast<std::size_t>(100 * std::clamp(digits, 0., 1.)));
+  };
+  const auto pressed = std::make_shared<const PressedHalfSpace>(contact::press_half_space(
+      gap.grid, surface, gap.values, modulus, press_of(std::get<StaticLoad>(scene.load)), settings));
+
+  Pressed result{{answer_of(*pressed, modulus), {}, {}},
+                 std::min(gap.grid.nx * gap.grid.dx, gap.grid.ny * gap.grid.dy) / 4,
+                 [pressed](double x, double y) -> SurfacePoint {
+                   const auto cell = cell_at(pressed->grid, x, y);
+                   if (!cell) return {{0, 0}};
+                   const double p = pressed->pressure[*cell];
+                   const Estimate& peak = pressed->peak_pressure;
+                   return {{p, std::max(peak.error, p * peak.error / peak.value)}};
+                 }};
+  result.knows_displacement = false;
+  result.map = map_of(*pressed);
+  const auto coarse = std::ranges::count_if(pressed->zones, [](const auto& zone) { return !zone.edge_resolved; });
+  if (coarse > 0) {
+    result.answer.warnings.push_back(fmt::format(
+        "{} of {} zones are too small for the grid: their area is that of their cells", coarse, pressed->zones.size()));
+  }
+  return result;
+}
+
+}  // namespace patchgrip::cli
