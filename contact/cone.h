@@ -5,7 +5,7 @@
 //
 // Domain   slope s > 0; small in theory, since surfaces are taken as flat.
 // Units    s [1], r, a [m]; the rest as in axisymmetric.h.
-// Error    units of 2^-53, relative: 3 of delta, 4 of F, 8 of p, 8 of u_z, 3 of the radius; tests/contact/cone_test.cc.
+// Error    units of 2^-53, relative: 3 of delta, 4 of F, 8 of p, 8 of u_z, 4 of the radius; tests/contact/cone_test.cc.
 // Fails    p(0) is +infinity, a logarithm.
 // Throws   std::invalid_argument outside the domain.
 #pragma once

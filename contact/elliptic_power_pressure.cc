@@ -42,9 +42,10 @@ EllipticPowerPressure EllipticPowerPressure::of(int n, double a, double b, doubl
 }
 
 double EllipticPowerPressure::pressure(double x, double y) const {
-  const double X = x / a;
-  const double Y = y / b;
-  const double inside = (1 - std::fabs(X)) * (1 + std::fabs(X)) - Y * Y;
+  // Extended precision: next to the rim the three terms cancel.
+  const long double X = static_cast<long double>(x) / a;
+  const long double Y = static_cast<long double>(y) / b;
+  const auto inside = static_cast<double>(1 - X * X - Y * Y);
   return inside > 0 ? peak_pressure * std::pow(inside, n - 0.5) : 0;
 }
 

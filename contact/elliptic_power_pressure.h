@@ -12,7 +12,8 @@
 //
 // Domain   1 <= n <= 1000; 0 < b <= a, b/a >= 1e-9; u_z inside and on the rim.
 // Units    a, b, x, y, delta, u_z [m], p, p_0, E* [Pa], F [N], curvatures [1/m].
-// Error    units of 2^-53, relative: 4 of F, 8 of delta and f_xx, 8 ln(4a/b) of f_yy, 16 + n of p and of u_z;
+// Error    units of 2^-53, relative: 4 of F, 8 of delta and f_xx, 8 ln(4a/b) of f_yy, 16 + n of p
+//          (where 1 - x^2/a^2 - y^2/b^2 > 1e-2) and of u_z;
 //          tests/contact/elliptic_power_pressure_test.cc.
 // Throws   std::invalid_argument, naming the parameter, outside the domain.
 #pragma once

@@ -42,7 +42,7 @@ class FlatEndParaboloid {
 
   template <class Real>
   Real approach_slope(const Real& a) const {
-    return approach_slope(known(a));
+    return a < b_ ? Real(0) : approach_slope(known(a));
   }
   template <class Real>
   Real approach_slope(const BasicFlatEndCircle<Real>& a) const {

@@ -1,4 +1,5 @@
 #include <patchgrip/contact/hertz_circle.h>
+#include <patchgrip/contact/paraboloid.h>
 #include <patchgrip/contact/require.h>
 
 #include <cmath>
@@ -30,12 +31,11 @@ double relative_radius(double first, double second) {
 
 HertzCircle HertzCircle::under_force(double normal_force, double relative_radius, double contact_modulus) {
   const long double force = require_positive("normal_force", normal_force);
-  const long double curved = require_positive("relative_radius", relative_radius);
   const long double modulus = require_positive("contact_modulus", contact_modulus);
-
-  const long double radius = std::cbrt(3 * force * curved / (4 * modulus));
-  const long double approach = radius * radius / curved;
-  const long double pressure = 3 * force / (2 * std::numbers::pi_v<long double> * radius * radius);
+  const Paraboloid shape = Paraboloid::of_radius(relative_radius);
+  const long double radius = shape.radius_of_force(force / modulus);
+  const long double approach = shape.approach(radius);
+  const long double pressure = modulus * shape.pressure(0.0L, radius);
   return {require_representable("contact_radius", static_cast<double>(radius)),
           require_representable("approach", static_cast<double>(approach)),
           require_representable("peak_pressure", static_cast<double>(pressure))};

@@ -5,6 +5,8 @@
 //
 // A plane has an infinite radius; a hollow (a socket) a negative one, as long as 1/R stays positive.
 //
+// These three numbers alone, rounded once; the whole contact is AxisymmetricContact<Paraboloid> (paraboloid.h).
+//
 // Domain   half-space theory: a much smaller than the radii. F > 0, 1/R > 0.
 // Units    F [N], R, a, delta [m], E*, p_0 [Pa].
 // Error    R, a, delta, p_0: <= 1.01 units of rounding (2^-53), relative to the exact result for the given arguments,

@@ -17,7 +17,7 @@
 
 namespace patchgrip::contact {
 
-// value(x) and slope(x) are y and y'; a slope that is not finite is answered by a bisection. min < start < max.
+// value(x) and slope(x) are y and y'; a slope that is of no use is answered by a bisection. min < start < max.
 template <class Value, class Slope>
 double increasing_root(const Value& value, const Slope& slope, double target, double start, double min = 0,
                        double max = std::numeric_limits<double>::infinity()) {
@@ -25,24 +25,26 @@ double increasing_root(const Value& value, const Slope& slope, double target, do
   double hi = max;
   double x = start;
   double y = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 300 && x > 0 && std::isfinite(x); ++i) {
     y = value(x);
     if (y == target) return x;
     (y < target ? lo : hi) = x;
-    const double step = std::log(target / y) / (x * slope(x) / y);
+    const double growth = x * slope(x) / y;
+    const double step = std::log(target / y) / growth;
     double next = x * std::exp(step);
-    if (!(next > lo && next < hi && std::fabs(step) < 10)) {
-      if (std::fabs(step) < 0x1p-52) return x;
+    const bool newton = std::isfinite(growth) && growth > 0 && std::fabs(step) < 10;
+    if (newton && std::fabs(step) < 0x1p-53) return next;
+    if (!(newton && next > lo && next < hi)) {
       if (lo == 0) {
         next = x / 16;
-      } else if (hi == std::numeric_limits<double>::infinity()) {
+      } else if (!std::isfinite(hi)) {
         next = x * 16;
       } else {
         next = std::sqrt(lo) * std::sqrt(hi);
         if (!(next > lo && next < hi)) next = lo + (hi - lo) / 2;
+        if (!(next > lo && next < hi)) return next;  // lo and hi are neighbors
       }
     }
-    if (next <= lo || next >= hi || std::fabs(step) < 0x1p-53) return next;
     x = next;
   }
   std::ostringstream message;

@@ -48,7 +48,7 @@ double RotationalPressure::height(double r) const {
   double sum = 0;
   for (int j = 1; j < nodes; ++j) {
     const double s = rho * std::sin(std::numbers::pi * j / nodes);
-    sum -= std::expm1(n * (std::log1p(s) + std::log1p(-s)));
+    sum -= std::expm1(n * std::log1p(-s * s));
   }
   return approach / nodes * sum;
 }

@@ -1,0 +1,61 @@
+#include <patchgrip/contact/endpoint_quadrature.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <patchgrip/tests/support/exact.h>
+
+#include <boost/math/constants/constants.hpp>
+
+namespace patchgrip::contact {
+namespace {
+
+using patchgrip::testing::Exact;
+
+double units(double value, double exact) { return std::abs(value / exact - 1) * 0x1p53; }
+
+TEST(EndpointQuadrature, SingularEndsAreIntegratedToRounding) {
+  const auto log = integrate_to_both_ends([](double since, double) { return -std::log(since); }, 0., 1.);
+  EXPECT_LE(units(log, 1), 8);
+  const auto roots =
+      integrate_to_both_ends([](double since, double left) { return 1 / std::sqrt(since * left); }, 3., 5.);
+  EXPECT_LE(units(roots, std::numbers::pi), 8);
+  const auto exact = integrate_to_both_ends(
+      [](const Exact& since, const Exact& left) -> Exact { return 1 / sqrt(since * left); }, Exact(3), Exact(5));
+  EXPECT_LE(abs(exact / boost::math::constants::pi<Exact>() - 1), 1e-45);
+}
+
+// Nearly singular: a pole within 1e-9 of an end.
+TEST(EndpointQuadrature, NearlySingularEndsAreIntegratedToRounding) {
+  for (const double near : {1e-3, 1e-6, 1e-9}) {
+    const auto value = integrate_to_both_ends([=](double since, double) { return 1 / (since + near); }, 0., 1.);
+    EXPECT_LE(units(value, std::log1p(1 / near)), 8) << near;
+  }
+}
+
+TEST(EndpointQuadrature, BoundHoldsAlsoWhereTheIntegrandIsNotSmooth) {
+  const double expected[] = {0.37, 0.62, 0.9};
+  for (const double jump : expected) {
+    const auto step = bounded_integral([=](double since, double) { return since < jump ? 1. : 0.; }, 0., 1.);
+    EXPECT_LE(std::abs(step.value - jump), step.error);
+    const auto kink = bounded_integral([=](double since, double) { return std::abs(since - jump); }, 0., 1.);
+    EXPECT_LE(std::abs(kink.value - (jump * jump + (1 - jump) * (1 - jump)) / 2), kink.error);
+  }
+}
+
+TEST(EndpointQuadrature, EmptyRangeIsZero) {
+  EXPECT_EQ(integrate_to_both_ends([](double, double) { return 1.; }, 1., 1.), 0);
+}
+
+}  // namespace
+}  // namespace patchgrip::contact
