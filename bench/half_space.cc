@@ -22,6 +22,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <patchgrip/contact/half_space/press.h>
@@ -134,6 +135,24 @@ struct Row {
   PressedHalfSpace approach, force;
 };
 
+// Two independent products at once, in times of one alone: 1 on two free cores, 2 on one. Two threads cannot win more.
+double slowdown_of_two() {
+  const Grid grid = Grid::square(256, width);
+  const auto products = [&grid](int count) {
+    Workers workers(1);
+    Convolution convolution(grid, Surface::free, 1);
+    std::vector<double> field(grid.size(), 1.), u(grid.size());
+    for (int i = 0; i < count; ++i) convolution.apply(field.data(), u.data(), workers);
+  };
+  const double alone = least_time(5, [&] { products(100); });
+  const double together = least_time(5, [&] {
+    std::thread other(products, 100);
+    products(100);
+    other.join();
+  });
+  return together / alone;
+}
+
 // All that is timed takes turns, so that a disturbance meets all alike.
 Row measure(int cells, double memory, int rounds) {
   const FftPair pair(2 * cells);
@@ -188,6 +207,7 @@ double counted_error(const Row& row) { return deviation(row.approach.counted_are
 
 void print_hertz(const std::vector<Row>& rows) {
   fmt::print("{:<58} {:>10} {:>10}\n", "Hertz paraboloid, square 2.5 a, tolerance 1e-6", "measured", "target");
+  report("two independent products at once, time of one", 0, slowdown_of_two(), NAN);
   for (const Row& row : rows) {
     const Target& target = *std::ranges::find(targets, row.cells, &Target::cells);
     report("P [ms]", row.cells, 1e3 * row.pair, NAN);

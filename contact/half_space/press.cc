@@ -108,7 +108,7 @@ Measured measure(const Grid& grid, Surface surface, std::span<const double> pres
 }
 
 double estimate(double fine, double coarse, double residual) {
-  return std::abs(fine - coarse) / order_factor + residual * std::abs(fine);
+  return std::hypot((fine - coarse) / order_factor, residual * fine);
 }
 
 // The zones of the coarser grid are those of the finer one that lie around their highest cell.
