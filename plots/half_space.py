@@ -20,7 +20,8 @@ ERRORS = {
 def guide(axes, cells, start, order, text):
     """A line of this order of convergence below the curves."""
     axes.loglog(cells, start * (cells / cells[0]) ** -order, color=BLACK, linewidth=0.6, linestyle=":")
-    axes.annotate(text, (cells[0], start), xytext=(2, -4), textcoords="offset points", va="top", fontsize=7)
+    axes.annotate(text, (cells[-1], start * (cells[-1] / cells[0]) ** -order), xytext=(4, 0), textcoords="offset points",
+                  va="center", fontsize=7)
 
 
 def draw_convergence(axes, table):
@@ -36,7 +37,7 @@ def draw_convergence(axes, table):
     axes.set_title("relative error [-]", loc="left")
     axes.set_xticks(cells, [f"{n:.0f}" for n in cells])
     axes.minorticks_off()
-    axes.set_xlim(cells[0] / 1.15, cells[-1] * 4.5)
+    axes.set_xlim(cells[0] / 1.15, cells[-1] * 7)
     axes.set_ylim(2e-8, 0.1)
 
 
