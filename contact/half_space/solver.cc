@@ -79,6 +79,22 @@ double ContactSolver::residual_of(Prescribed prescribed, double value, std::span
   return residual_;
 }
 
+double ContactSolver::stiffness(std::span<const double> pressure, double tolerance, int max_iterations,
+                                const SolverObserver& observer) {
+  std::vector<double> q(grid_.size());
+  std::ranges::fill(g_, -1.);
+  std::ranges::transform(pressure, on_.begin(), [](double p) { return p > 0 ? 1. : 0.; });
+  work_ = on_;
+  set_size_ = std::accumulate(on_.begin(), on_.end(), 0.);
+  set_residual_ = 1;
+  for (int iteration = 0; set_residual_ > tolerance; ++iteration) {
+    if (iteration == max_iterations) not_converged(grid_, set_residual_, tolerance, iteration);
+    step(Prescribed::approach, iteration > 0, q);
+    if (observer) observer({grid_, iteration + 1, set_residual_});
+  }
+  return std::accumulate(q.begin(), q.end(), 0.);
+}
+
 void ContactSolver::begin(Prescribed prescribed, double value, std::span<double> p) {
   std::ranges::fill(on_, 0.);
   approach_ = value;  // a given load forms it from the pressure

@@ -59,6 +59,10 @@ class ContactSolver {
   // The residual of a pressure, whose sum is brought to a given load.
   double residual_of(Prescribed prescribed, double value, std::span<double> pressure);
 
+  // Sum of q, where K q = 1 in the cells with p > 0 and q = 0 elsewhere: how the sum of p grows with the approach [1/m].
+  double stiffness(std::span<const double> pressure, double tolerance, int max_iterations,
+                   const SolverObserver& observer);
+
  private:
   void begin(Prescribed prescribed, double value, std::span<double> p);
   void form_displacement(Prescribed prescribed, std::span<const double> p);
