@@ -18,6 +18,7 @@ constexpr int coarsest_cells = 32;        // a side of the first grid has at lea
 constexpr double coarse_tolerance = 30;   // of the one asked for
 constexpr double estimate_tolerance = 4;  // the same, of the grid that the errors are estimated from
 constexpr double order_factor = 2.4;      // 2^order - 1 of what is measured on Hertz' contact
+constexpr double least_magnitude = 1e-100, most_magnitude = 1e100;  // squares neither overflow nor underflow
 constexpr int least_cells_for_threads = 100 * 100;
 
 struct Level {
@@ -46,8 +47,8 @@ Level extended(const Grid& grid, std::span<const double> gap, int unit) {
   return {large, std::move(field)};
 }
 
-// From coarse to fine.
-std::vector<Level> make_levels(const Grid& grid, Surface surface, std::span<const double> gap) {
+// From coarse to fine; gaps count from the least one.
+std::vector<Level> make_levels(const Grid& grid, Surface surface, std::span<const double> gap, double least) {
   std::vector<Level> levels;
   int count = halvings(grid);
   if (surface == Surface::free) {
@@ -56,6 +57,7 @@ std::vector<Level> make_levels(const Grid& grid, Surface surface, std::span<cons
     levels.push_back({grid, {gap.begin(), gap.end()}});
     while (grid.nx % (1 << count) != 0 || grid.ny % (1 << count) != 0) --count;
   }
+  for (double& f : levels.back().gap) f -= least;
   for (; count > 0; --count) {
     const Level& fine = levels.back();
     levels.push_back({coarser(fine.grid), coarsen_gap(fine.grid, surface, fine.gap)});
@@ -64,10 +66,10 @@ std::vector<Level> make_levels(const Grid& grid, Surface surface, std::span<cons
   return levels;
 }
 
-std::vector<double> cold_start(const Level& level, const Press& press) {
-  if (press.prescribed == Prescribed::load) return std::vector<double>(level.grid.size(), 1.);  // scaled by the solver
+std::vector<double> cold_start(const Level& level, Prescribed prescribed, double value) {
+  if (prescribed == Prescribed::load) return std::vector<double>(level.grid.size(), 1.);  // scaled by the solver
   std::vector<double> pressure(level.grid.size());
-  std::ranges::transform(level.gap, pressure.begin(), [&](double f) { return f < press.value ? 1. : 0.; });
+  std::ranges::transform(level.gap, pressure.begin(), [&](double f) { return f < value ? 1. : 0.; });
   return pressure;
 }
 
@@ -161,20 +163,29 @@ std::vector<double> cropped(const Grid& grid, const Grid& large, std::span<const
   return result;
 }
 
-void check_gap(const Grid& grid, Surface surface, std::span<const double> gap, const Press& press) {
+void check_gap(const Grid& grid, Surface surface, std::span<const double> gap) {
   Grid::of_cells(grid.nx, grid.ny, grid.dx, grid.dy);
   if (gap.size() != grid.size()) refuse("gap.size()", static_cast<double>(gap.size()), "must be nx ny of the grid");
-  for (const double f : gap) require_finite("gap", f);
-  const double least = *std::ranges::min_element(gap);
-  if (press.prescribed == Prescribed::approach && !(press.value > least)) {
-    refuse("approach", press.value, "must exceed the least gap, or nothing touches");
-  }
+  for (const double f : gap) require_in("gap", f, -most_magnitude, most_magnitude);
   if (surface == Surface::free) return;
   if (grid.nx % 2 != 0) refuse("nx", grid.nx, "must be even on a periodic surface");
   if (grid.ny % 2 != 0) refuse("ny", grid.ny, "must be even on a periodic surface");
-  if (press.prescribed == Prescribed::approach) {
+}
+
+void check_press(const Grid& grid, Surface surface, const Press& press, double contact_modulus, double least_gap) {
+  if (press.prescribed == Prescribed::load) {
+    require_positive("force", press.value);
+    require_in("force / (contact_modulus dx dy)", press.value / contact_modulus / grid.cell_area(), least_magnitude,
+               most_magnitude);
+    return;
+  }
+  if (surface == Surface::periodic) {
     refuse("approach", press.value, "must not be prescribed on a periodic surface: its mean displacement is infinite");
   }
+  if (!(require_finite("approach", press.value) > least_gap)) {
+    refuse("approach", press.value, "must exceed the least gap, or nothing touches");
+  }
+  require_in("approach - least gap", press.value - least_gap, least_magnitude, most_magnitude);
 }
 
 void check_start(const Grid& grid, Surface surface, const PressedHalfSpace* start) {
@@ -218,11 +229,13 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
                                   double contact_modulus, const Press& press, const PressSettings& settings,
                                   const PressedHalfSpace* start) {
   settings.check();
-  require_positive("contact_modulus", contact_modulus);
-  check_gap(grid, surface, gap, press);
+  require_in("contact_modulus", contact_modulus, least_magnitude, most_magnitude);
+  check_gap(grid, surface, gap);
+  const double least = *std::ranges::min_element(gap);
+  check_press(grid, surface, press, contact_modulus, least);
   check_start(grid, surface, start);
 
-  std::vector<Level> levels = make_levels(grid, surface, gap);
+  std::vector<Level> levels = make_levels(grid, surface, gap, least);
   if (start != nullptr) levels.erase(levels.begin(), levels.end() - 2);
   const Level& last = levels.back();
   const bool is_load = press.prescribed == Prescribed::load;
@@ -236,7 +249,7 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     const Level& level = levels[k];
     const bool finest = k + 1 == levels.size();
     ContactSolver solver(level.grid, surface, level.gap, level.grid.size() < least_cells_for_threads ? alone : workers);
-    const double value = is_load ? press.value / contact_modulus / level.grid.cell_area() : press.value;
+    const double value = is_load ? press.value / contact_modulus / level.grid.cell_area() : press.value - least;
 
     if (k > 0) {
       coarse_pressure = std::exchange(pressure, refine_pressure(levels[k - 1].grid, surface, pressure));
@@ -244,7 +257,7 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     } else if (start != nullptr) {
       pressure = coarsen_pressure(last.grid, extended_start(last.grid, *start));
     } else {
-      pressure = cold_start(level, press);
+      pressure = cold_start(level, press.prescribed, value);
     }
 
     // The last but one is half of the error estimate.
@@ -273,6 +286,7 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   result.pressure = cropped(grid, last.grid, pressure, modulus);
   result.force = is_load ? Estimate{press.value, 0} : estimated(modulus, fine.force, coarse.force);
   result.approach = is_load ? estimated(1, fine.approach, coarse.approach) : Estimate{press.value, 0};
+  if (is_load) result.approach.value += least;
   result.peak_pressure = estimated(modulus, fine.peak, coarse.peak);
   result.area = {fine.area, std::max(fine.area_error, std::abs(fine.area - coarse.area) / order_factor)};
   result.counted_area = fine.counted_area;

@@ -357,6 +357,21 @@ RC_GTEST_PROP(PressHalfSpace, MoreApproachIsMoreForceAndMoreContact, ()) {
   }
 }
 
+// Loads, moduli and lengths of any magnitude: the numbers in between stay representable.
+TEST(PressHalfSpace, MagnitudesDoNotMatter) {
+  for (const double length : {1e-40, 1e-9, 1e20}) {
+    for (const double modulus : {1e-90, 1e11, 1e90}) {
+      const Grid grid = Grid::square(64, 2.5 * length);
+      const auto gap = sample(grid, paraboloid(0, 0, length));
+      const double force = 4. / 3. * modulus * length * length;
+      const auto by_force = press_half_space(grid, Surface::free, gap, modulus, Press::by_force(force));
+      const auto by_approach = press_half_space(grid, Surface::free, gap, modulus, Press::by_approach(length));
+      EXPECT_LE(relative(by_force.approach.value, length), 5e-5);
+      EXPECT_LE(relative(by_approach.force.value, force), 7e-5);
+    }
+  }
+}
+
 TEST(PressHalfSpace, GapInAnyDatum) {
   const Grid grid = Grid::square(32, 2.5);
   const auto one = press(grid, paraboloid(), Press::by_force(1));
@@ -415,9 +430,13 @@ TEST(PressHalfSpace, OutOfRangeParametersAreNamed) {
   EXPECT_THAT([&] { press(Surface::free, Press::by_approach(0.5)); },
               refused("approach = 0.5 is not allowed: must exceed the least gap, or nothing touches"));
   EXPECT_THAT([&] { press(Surface::free, Press::by_force(1), {}, -1); },
-              refused("contact_modulus = -1 is not allowed: must be positive and finite"));
+              refused("contact_modulus = -1 is not allowed: must lie in [1e-100, 1e+100]"));
   EXPECT_THAT([&] { press(Surface::free, Press::by_force(1), with_tolerance(0)); },
               refused("tolerance = 0 is not allowed: must lie in [1e-12, 0.01]"));
+  EXPECT_THAT([&] { press(Surface::free, Press::by_approach(0.5 + 1e200)); },
+              refused("approach - least gap = 1e+200 is not allowed: must lie in [1e-100, 1e+100]"));
+  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1e-99), {}, 256e50); },
+              refused("force / (contact_modulus dx dy) = 1e-149 is not allowed: must lie in [1e-100, 1e+100]"));
   PressSettings settings;
   settings.max_iterations = 0;
   EXPECT_THAT([&] { press(Surface::free, Press::by_force(1), settings); },
@@ -430,7 +449,8 @@ TEST(PressHalfSpace, OutOfRangeParametersAreNamed) {
               refused("approach = 1 is not allowed: must not be prescribed on a periodic surface: its mean "
                       "displacement is infinite"));
   gap[3] = std::numeric_limits<double>::infinity();
-  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1)); }, refused("gap = inf is not allowed: must be finite"));
+  EXPECT_THAT([&] { press(Surface::free, Press::by_force(1)); },
+              refused("gap = inf is not allowed: must lie in [-1e+100, 1e+100]"));
   gap.pop_back();
   EXPECT_THAT([&] { press(Surface::free, Press::by_force(1)); },
               refused("gap.size() = 255 is not allowed: must be nx ny of the grid"));
