@@ -2,8 +2,8 @@
 //
 //     half_space [--output CSV] [--short]
 //
-// Times are given in P: one real FFT of 2N x 2N numbers and back, the least of its runs here. --short prints nothing and
-// leaves out the hard cases: what the charts need (plots/half_space.py).
+// Times are given in P: one real FFT of 2N x 2N numbers and back, the least of its runs here. --short prints nothing
+// and leaves out the hard cases: what the charts need (plots/half_space.py).
 
 #include <fftw3.h>
 #include <fmt/format.h>

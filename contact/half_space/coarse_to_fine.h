@@ -2,10 +2,9 @@
 //
 // Pressure, coarse to fine: at a smooth edge p ~ sqrt(distance), so p^2 is continued through the two layers of cells
 // outside the contact by lines through the two cells behind each of the eight neighbours (their mean, at most 0), then
-// interpolated bilinearly; what stays positive is the new p^2.
-// Pressure, fine to coarse: the mean of four cells, which keeps the force.
-// Gap, fine to coarse: cubic interpolation at the centre of four cells, kept between the least and the largest of them, so
-// that a step in the gap does not overshoot.
+// interpolated bilinearly; what stays positive is the new p^2. Pressure, fine to coarse: the mean of four cells, which
+// keeps the force. Gap, fine to coarse: cubic interpolation at the centre of four cells, kept between the least and the
+// largest of them, so that a step in the gap does not overshoot.
 #pragma once
 
 #include <span>

@@ -145,8 +145,8 @@ class LevelSet {
     return p * p;
   }
 
-  // Fits phi in a layer; in the second layers only where the edge has crossed the first. Where that fails, or phi does not
-  // fall to zero within the layers outside, phi stays what it was: the edge is then that of the cells.
+  // Fits phi in a layer; in the second layers only where the edge has crossed the first. Where that fails, or phi does
+  // not fall to zero within the layers outside, phi stays what it was: the edge is then that of the cells.
   void fit_layer(int layer) {
     for (int j = 0; j < grid_.ny; ++j) {
       for (int i = 0; i < grid_.nx; ++i) {

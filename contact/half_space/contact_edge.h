@@ -1,20 +1,20 @@
 // Contact area to a fraction of a cell, from the pressure.
 //
-// At the edge of a smooth contact p ~ sqrt(distance), so phi = p^2 falls through zero as a straight line there. In the two
-// layers of cells on either side of the edge phi is the value of a quadratic, fitted by least squares to p^2 of the cells
-// within a radius of 4 (up to 7 where there are fewer than 9) that lie more than two layers inside: the two outermost
-// layers carry too much pressure. The area is that of phi > 0, linear on the triangles between cell centres.
+// At the edge of a smooth contact p ~ sqrt(distance), so phi = p^2 falls through zero as a straight line there. In the
+// two layers of cells on either side of the edge phi is the value of a quadratic, fitted by least squares to p^2 of the
+// cells within a radius of 4 (up to 7 where there are fewer than 9) that lie more than two layers inside: the two
+// outermost layers carry too much pressure. The area is that of phi > 0, linear on the triangles between cell centres.
 //
-// Of cells that are constant, the solver's pressure has its edge edge_offset cells too far out in the mean over directions,
-// whatever the contact (near a smooth edge all look alike): the fit is read that much farther out.
+// Of cells that are constant, the solver's pressure has its edge edge_offset cells too far out in the mean over
+// directions, whatever the contact (near a smooth edge all look alike): the zero of the fit is moved in by as much.
 //
-// Error    an estimate: perimeter times cell times edge_error (fitted) or counted_edge_error. Hertz' contact, radius 0.4 of
-//          the grid's width: 4e-4, 1e-4, 4e-5, 2e-5, 1e-5 of the area at 64, 128, 256, 512, 1024 cells a side; true errors
-//          are at most three times the estimate, on circles and ellipses to 10:1, and often far below.
+// Error    an estimate: perimeter times cell times edge_error (fitted) or counted_edge_error. Hertz' contact, radius
+//          0.4 of the grid's width: 4e-4, 1e-4, 4e-5, 2e-5, 1e-5 of the area at 64, 128, 256, 512, 1024 cells a side;
+//          true errors are at most three times the estimate, on circles and ellipses to 10:1, and often far below.
 //          tests/contact/contact_edge_test.cc, press_test.cc.
-// Fails    where a zone is too narrow to fit (about 8 cells), and where p does not fall to zero at the edge (a punch). Where
-//          that is so along more than half of the edge, the area is that of the cells with p > 0, and resolved is false.
-//          Zones closer than five cells disturb each other.
+// Fails    where a zone is too narrow to fit (about 8 cells), and where p does not fall to zero at the edge (a punch).
+//          Where that is so along more than half of the edge, the area is that of the cells with p > 0, and resolved is
+//          false. Zones closer than five cells disturb each other.
 // Units    areas [m^2]; the scale of p does not matter.
 #pragma once
 

@@ -4,8 +4,8 @@
 //
 // the pressure constant in each cell, u_z at the centres. A `free` surface is that of the whole half-space, pressed on
 // the grid alone: the sum over Love's rectangles (love_kernel.h), as a product in Fourier space. A `periodic` surface
-// repeats the grid without end: u_z of a wave p cos(q x) is (2 / E* q) p cos(q x) exactly, and the mean of u_z, which the
-// mean pressure would make infinite, is put to zero.
+// repeats the grid without end: u_z of a wave p cos(q x) is (2 / E* q) p cos(q x) exactly, and the mean of u_z, which
+// the mean pressure would make infinite, is put to zero.
 //
 // Units    u_z [m]; p [Pa]. Convolution takes p / E*.
 // Error    u_z of the piecewise constant pressure: <= convolution_error of the largest |u_z|;

@@ -4,8 +4,8 @@
 //     T(X, Y)   = X asinh(Y / |X|) + Y asinh(X / |Y|),  either term 0 where its factor is
 //
 // (A. E. H. Love, Phil. Trans. R. Soc. A 228, 1929, 377; Johnson, Contact Mechanics, 3.25) for |x| < a, |y| < b pressed
-// with p; u_z is positive into the body. In plain floating point the difference of four T loses (r / a)(r / b) units: the
-// textbook form below is for scalars with digits to spare. love_displacement and fill_love_table lose none.
+// with p; u_z is positive into the body. In plain floating point the difference of four T loses (r / a)(r / b) units:
+// the textbook form below is for scalars with digits to spare. love_displacement and fill_love_table lose none.
 //
 // Domain   a, b, p, E* > 0 and finite, x, y finite; love_displacement throws std::invalid_argument outside, and where
 //          u_z would overflow or underflow.

@@ -83,7 +83,7 @@ struct Measured {
 Measured measure(const Grid& grid, Surface surface, std::span<const double> pressure, double approach) {
   Measured result{.approach = approach, .map = map_zones(grid, surface, pressure), .zones = {}};
   for (const ZoneArea& zone : zone_areas(grid, surface, pressure, result.map)) {
-    result.zones.push_back({{0, 0}, {zone.area, zone.error}, 0, zone.resolved, 0, 0, 0});
+    result.zones.push_back({{0, 0}, {zone.area, zone.error}, {0, 0}, 0, zone.resolved, 0, 0, 0});
     result.area += zone.area;
     result.area_error += zone.error;
   }
@@ -96,7 +96,7 @@ Measured measure(const Grid& grid, Surface surface, std::span<const double> pres
       zone.counted_area += grid.cell_area();
       zone.x += p * grid.cell_area() * grid.x(i);
       zone.y += p * grid.cell_area() * grid.y(j);
-      zone.peak_pressure = std::max(zone.peak_pressure, p);
+      zone.peak_pressure.value = std::max(zone.peak_pressure.value, p);
     }
   }
   for (ContactZone& zone : result.zones) {
@@ -104,7 +104,7 @@ Measured measure(const Grid& grid, Surface surface, std::span<const double> pres
     zone.y /= zone.force.value;
     result.force += zone.force.value;
     result.counted_area += zone.counted_area;
-    result.peak = std::max(result.peak, zone.peak_pressure);
+    result.peak = std::max(result.peak, zone.peak_pressure.value);
   }
   return result;
 }
@@ -116,7 +116,10 @@ double estimate(double fine, double coarse, double residual) {
 // The zones of the coarser grid are those of the finer one that lie around their highest cell.
 void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coarse,
                     std::span<const double> coarse_pressure, double residual) {
-  std::vector<std::pair<double, double>> coarse_values(fine.zones.size());  // force and area
+  struct Sum {
+    double force = 0, area = 0, peak = 0, moment_x = 0, moment_y = 0;
+  };
+  std::vector<Sum> sums(fine.zones.size());
   const Grid coarse_grid = coarser(fine_grid);
   std::vector<std::size_t> highest(coarse.zones.size(), coarse_pressure.size());
   for (std::size_t cell = 0; cell < coarse_pressure.size(); ++cell) {
@@ -129,15 +132,30 @@ void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coars
     const int zone = fine.map.zone[fine_grid.index(2 * static_cast<int>(highest[k] % columns),
                                                    2 * static_cast<int>(highest[k] / columns))];
     if (zone < 0) continue;
-    coarse_values[static_cast<std::size_t>(zone)].first += coarse.zones[k].force.value;
-    coarse_values[static_cast<std::size_t>(zone)].second += coarse.zones[k].area.value;
+    Sum& sum = sums[static_cast<std::size_t>(zone)];
+    const ContactZone& part = coarse.zones[k];
+    sum.force += part.force.value;
+    sum.area += part.area.value;
+    sum.peak = std::max(sum.peak, part.peak_pressure.value);
+    sum.moment_x += part.force.value * part.x;
+    sum.moment_y += part.force.value * part.y;
   }
   for (std::size_t k = 0; k < fine.zones.size(); ++k) {
-    const auto [force, area] = coarse_values[k];
+    const Sum& sum = sums[k];
     ContactZone& zone = fine.zones[k];
-    zone.force.error = force > 0 ? estimate(zone.force.value, force, residual) : zone.force.value;
-    zone.area.error =
-        force > 0 ? std::max(zone.area.error, std::abs(zone.area.value - area) / order_factor) : zone.area.value;
+    if (sum.force > 0) {
+      zone.force.error = estimate(zone.force.value, sum.force, residual);
+      zone.area.error = std::max(zone.area.error, std::abs(zone.area.value - sum.area) / order_factor);
+      zone.peak_pressure.error = estimate(zone.peak_pressure.value, sum.peak, residual);
+      zone.centre_error =
+          std::hypot(zone.x - sum.moment_x / sum.force, zone.y - sum.moment_y / sum.force) / order_factor;
+      zone.centre_error += residual * std::sqrt(zone.area.value);
+    } else {
+      zone.force.error = zone.force.value;
+      zone.area.error = zone.area.value;
+      zone.peak_pressure.error = zone.peak_pressure.value;
+      zone.centre_error = std::sqrt(zone.area.value);
+    }
   }
 }
 
@@ -293,7 +311,7 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   result.zones = std::move(fine.zones);
   for (ContactZone& zone : result.zones) {
     zone.force = {modulus * zone.force.value, modulus * zone.force.error};
-    zone.peak_pressure *= modulus;
+    zone.peak_pressure = {modulus * zone.peak_pressure.value, modulus * zone.peak_pressure.error};
     zone.x += 0.5 * (last.grid.nx - grid.nx) * grid.dx;
     zone.y += 0.5 * (last.grid.ny - grid.ny) * grid.dy;
   }

@@ -1,23 +1,25 @@
 // A rigid shape pressed on an elastic half-space (or two elastic bodies on each other), for any gap z = f(x, y).
 //
-//     u_z + f - delta >= 0,   p >= 0,   p (u_z + f - delta) = 0,   u_z = (1 / pi E*) integral p / r dA   (seed 4.6; Johnson 5.9)
+//     u_z + f - delta >= 0,   p >= 0,   p (u_z + f - delta) = 0
+//     u_z = (1 / pi E*) integral p / r dA                                                    (seed 4.6; Johnson 5.9)
 //
 // Solved for the pressure p on a grid, from coarse grids to the one given (solver.h): force F or approach delta is
-// prescribed, the contact may have any number of zones. On a free surface the gap is that of the grid alone, outside of it
-// nothing touches; on a periodic one the grid repeats without end, F is the force on one period, and delta counts from the
-// mean surface.
+// prescribed, the contact may have any number of zones. On a free surface the gap is that of the grid alone, outside of
+// it nothing touches; on a periodic one the grid repeats without end, F is the force on one period, and delta counts
+// from the mean surface.
 //
-// Domain   half-space theory: slopes small. Gap in any datum: delta > least f. On a periodic surface nx and ny are even, and
-//          the force is prescribed. Magnitudes of f, delta - least f, E* and F / (E* dx dy) up to 1e100, above 1e-100 but
-//          for f.
+// Domain   half-space theory: slopes small. Gap in any datum: delta > least f. On a periodic surface nx and ny are
+//          even, and the force is prescribed. Magnitudes of f, delta - least f, E* and F / (E* dx dy) up to 1e100,
+//          above 1e-100 but for f.
 // Units    f, delta [m], p, E* [Pa], F [N], areas [m^2].
 // Error    of each value an estimate: the difference to the grid with half as many cells a side, over 2.4, and the
-//          solver's residual; of areas see contact_edge.h. Force and approach of a Hertz contact of 50 cells across or more:
-//          right within a factor 3; peak and area: true errors up to 3 times the estimate, by chance far below
+//          solver's residual; of areas see contact_edge.h. Force and approach of a Hertz contact of 50 cells across or
+//          more: right within a factor 3; peak and area: true errors up to 3 times the estimate, by chance far below
 //          (tests/contact/press_test.cc). A zone that the coarser grid does not have carries 100 %.
 // Fails    on a rough surface that the grid does not resolve: the estimates then show it.
-// Throws   std::invalid_argument outside the domain; std::domain_error if the contact touches the border of a free grid;
-//          std::runtime_error, with the residual, if a grid does not converge. What the observer throws passes through.
+// Throws   std::invalid_argument outside the domain; std::domain_error if the contact touches the border of a free
+//          grid; std::runtime_error, with the residual, if a grid does not converge. What the observer throws passes
+//          through.
 #pragma once
 
 #include <span>
@@ -53,12 +55,13 @@ struct Estimate {
 };
 
 struct ContactZone {
-  Estimate force;        // [N]
-  Estimate area;         // [m^2]
-  double counted_area;   // of the cells with p > 0 [m^2]
-  bool edge_resolved;    // area is good to a fraction of a cell; else it is the counted area
-  double x, y;           // centre of pressure [m]
-  double peak_pressure;  // [Pa]
+  Estimate force;          // [N]
+  Estimate area;           // [m^2]
+  Estimate peak_pressure;  // [Pa]
+  double counted_area;     // of the cells with p > 0 [m^2]
+  bool edge_resolved;      // area is good to a fraction of a cell; else it is the counted area
+  double x, y;             // centre of pressure [m]
+  double centre_error;     // estimated [m]
 };
 
 struct PressedHalfSpace {

@@ -129,8 +129,8 @@ bool ContactSolver::choose_set(bool fresh, std::span<const double> p) {
   return changes > 0;
 }
 
-// One step of conjugate gradients in A. A given load: the gradient is shifted by the change of the approach that keeps the
-// sum of the direction at zero.
+// One step of conjugate gradients in A. A given load: the gradient is shifted by the change of the approach that keeps
+// the sum of the direction at zero.
 void ContactSolver::step(Prescribed prescribed, bool with_last_direction, std::span<double> p) {
   apply_preconditioner(work_.data());
   double shift = 0;

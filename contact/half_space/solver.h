@@ -1,20 +1,20 @@
 // Pressure between a half-space and a rigid shape on one grid: a quadratic programme with bounds.
 //
-//     g = u_z + f - delta,   p >= 0,  g >= 0,  p g = 0        u_z = K p / E*    (Kalker 1977; Polonsky, Keer, Wear 231, 1999)
+//     g = u_z + f - delta,   p >= 0,  g >= 0,  p g = 0,   u_z = K p / E*   (Kalker 1977; Polonsky, Keer, Wear 231, 1999)
 //
 // f is the gap before contact, delta the approach: either delta is given, or the sum of p. Method: Newton's on the set
 // A = {p > 0 or g < 0} (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13, 2002); in it K p = delta - f by conjugate
-// gradients, preconditioned (preconditioner.h) and stopped early, p free to turn negative until they stop. A given load is
-// kept by projection of the directions. One product with K a step; g is kept by recursion, and formed anew whenever p was
-// cut at zero, and at the end if rounding could matter.
+// gradients, preconditioned (preconditioner.h) and stopped early, p free to turn negative until they stop. A given load
+// is kept by projection of the directions. One product with K a step; g is kept by recursion, and formed anew whenever
+// p was cut at zero, and at the end if rounding could matter.
 //
 // Converged when    residual = max(rms of g over A, largest -g outside) / s <= tolerance,
 //                   s = max(delta - least f, standard deviation of f over A).
 // Then F, or delta, is good to two residuals, relative (Hertz' contact; tests/contact/contact_solver_test.cc).
 //
 // Units    f, g, delta [m]; the pressure here is p / E* [1], the load sum(p) / E*.
-// Throws   std::runtime_error when max_iterations steps do not reach the tolerance, with the residual. What the observer
-//          throws passes through.
+// Throws   std::runtime_error when max_iterations steps do not reach the tolerance, with the residual. What the
+//          observer throws passes through.
 #pragma once
 
 #include <functional>
@@ -59,7 +59,8 @@ class ContactSolver {
   // The residual of a pressure, whose sum is brought to a given load.
   double residual_of(Prescribed prescribed, double value, std::span<double> pressure);
 
-  // Sum of q, where K q = 1 in the cells with p > 0 and q = 0 elsewhere: how the sum of p grows with the approach [1/m].
+  // Sum of q, where K q = 1 in the cells with p > 0 and q = 0 elsewhere: how the sum of p grows with the approach
+  // [1/m].
   double stiffness(std::span<const double> pressure, double tolerance, int max_iterations,
                    const SolverObserver& observer);
 

@@ -9,9 +9,8 @@
 
 namespace patchgrip::contact::kernels {
 
-// g += add_gap (gap - approach);  on = p > 0 or g < 0;  r = -on g.
-// Sums: cells whose `on` changed; of on; of g^2 where p > 0; of 1 where p > 0; of r^2; of on (gap - least_gap) and of its
-// square. Largest: -g where p = 0.
+// g += add_gap (gap - approach);  on = p > 0 or g < 0;  r = -on g. Sums: cells whose `on` changed; of on; of g^2 where
+// p > 0; of 1 where p > 0; of r^2; of on (gap - least_gap) and of its square. Largest: -g where p = 0.
 Tally choose_set(std::size_t n, double add_gap, double approach, double least_gap, const double* gap, const double* p,
                  double* g, double* on, double* r) noexcept;
 

@@ -26,25 +26,30 @@ void Workers::stop() noexcept {
 void Workers::share(int parts, Call call, const void* part) {
   call_ = call;
   part_ = part;
-  parts_ = parts;
-  next_ = 0;
-  busy_ = static_cast<int>(threads_.size());
+  undone_ = static_cast<std::uint32_t>(parts);
+  tickets_ = ((tickets_ >> 32) + 1) << 32 | static_cast<std::uint32_t>(parts);
   ++round_;
   round_.notify_all();
   take_parts(0);
-  for (int busy = busy_; busy != 0; busy = busy_) busy_.wait(busy);
+  for (std::uint32_t undone = undone_; undone != 0; undone = undone_) undone_.wait(undone);
 }
 
+// Whoever draws a ticket keeps its round open until the part is done: call and part are those of the round.
 void Workers::take_parts(int thread) {
-  for (int index = next_++; index < parts_; index = next_++) call_(part_, index, thread);
+  for (std::uint64_t ticket = tickets_; static_cast<std::uint32_t>(ticket) != 0;) {
+    if (!tickets_.compare_exchange_weak(ticket, ticket - 1)) continue;
+    call_(part_, static_cast<int>(static_cast<std::uint32_t>(ticket) - 1), thread);
+    if (--undone_ == 0) undone_.notify_one();
+    ticket = tickets_;
+  }
 }
 
 void Workers::serve(int thread) {
-  for (std::uint32_t seen = 0;; ++seen) {
+  for (std::uint32_t seen = 0;;) {
     round_.wait(seen);
+    seen = round_;
     if (stopped_) return;
     take_parts(thread);
-    if (--busy_ == 0) busy_.notify_all();
   }
 }
 

@@ -2,7 +2,7 @@
 //
 // run() hands out the parts 0 ... parts - 1 to its threads, the calling one among them, and returns when all are done.
 // Which thread takes which part is left to chance, so a part must not care: results then do not depend on the number of
-// threads. Nothing is allocated.
+// threads. A thread that the machine does not let run is not waited for. Nothing is allocated.
 //
 // Domain   1 <= threads <= 64; a part must not throw. run() is for one caller at a time.
 // Throws   std::invalid_argument outside the domain, std::system_error when a thread cannot be started.
@@ -50,10 +50,9 @@ class Workers {
 
   Call call_ = nullptr;
   const void* part_ = nullptr;
-  int parts_ = 0;
-  std::atomic<int> next_ = 0;
-  std::atomic<int> busy_ = 0;
-  std::atomic<std::uint32_t> round_ = 0;  // a change wakes the threads
+  std::atomic<std::uint64_t> tickets_ = 0;  // the round in the upper half, how many parts are left to take in the lower
+  std::atomic<std::uint32_t> undone_ = 0;   // parts of this round
+  std::atomic<std::uint32_t> round_ = 0;    // a change wakes the threads
   bool stopped_ = false;
   std::vector<std::thread> threads_;
 };

@@ -1,7 +1,7 @@
 // Connected zones of contact on a grid, and how many layers of cells lie between a cell and the edge.
 //
-// Two cells belong to one zone if they touch along a side or in a corner. Zones are numbered in the order of their first
-// cell, row by row.
+// Two cells belong to one zone if they touch along a side or in a corner. Zones are numbered in the order of their
+// first cell, row by row.
 #pragma once
 
 #include <span>

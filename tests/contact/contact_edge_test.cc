@@ -25,8 +25,8 @@ GapFunction hertz(double x0, double y0, double a = 1, double b = 1) {
   };
 }
 
-// p^2 of an exact Hertz pressure is a quadratic: the fit is exact, only the piecewise linear edge is not, and the offset of
-// the solver's pressure is taken off in vain.
+// p^2 of an exact Hertz pressure is a quadratic: the fit is exact, only the piecewise linear edge is not, and the
+// offset of the solver's pressure is taken off in vain.
 TEST(ContactEdge, ExactHertzPressure) {
   for (const int cells : {32, 64, 128, 256}) {
     const Grid grid = Grid::square(cells, 2.5);

@@ -28,7 +28,8 @@ struct HertzEllipse {
   double approach, force, area;
 };
 
-// Semi-axes 1 and `ratio`, turned by `angle`, p_0 = 1: gap and approach from the potential of an ellipsoid (Johnson 3.65).
+// Semi-axes 1 and `ratio`, turned by `angle`, p_0 = 1: gap and approach from the potential of an ellipsoid (Johnson
+// 3.65).
 inline HertzEllipse hertz_ellipse(double ratio, double angle) {
   const double square = ratio * ratio;
   const double along = ratio / 3 * boost::math::ellint_rd(0., square, 1.);
