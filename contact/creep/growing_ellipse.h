@@ -7,7 +7,7 @@
 //
 // Domain   while X does not fall: up to load_integral_falls_at().
 // Units    F [N], X [m^2], a, b, delta [m], t [s].
-// Error    those of HertzEllipse and a third of those of X; tests/contact/growing_ellipse_test.cc.
+// Error    those of HertzEllipse and a third of those of X; tests/contact/contact_creep_test.cc.
 // Throws   std::invalid_argument where X is not positive, or fell before t.
 #pragma once
 

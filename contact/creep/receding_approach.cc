@@ -100,7 +100,7 @@ void RecedingApproach::find_end() {
     const double start = pieces[k].start;
     const double end = k + 1 < pieces.size() ? std::min(valid_until_, pieces[k + 1].start) : valid_until_;
     if (end <= grows_until_) continue;
-    if (start > grows_until_ && approach_.jump(k) > 0) {
+    if (start > grows_until_ && (approach_.jump(k) > 0 || !shrinks(start))) {
       valid_until_ = start;
       return;
     }

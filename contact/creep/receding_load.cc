@@ -101,7 +101,7 @@ double RecedingLoad::first_end() const {
     const double end = k + 1 < pieces.size() ? std::min(valid_until_, pieces[k + 1].start) : valid_until_;
     if (end <= grows_until_) continue;
     double before = std::max(pieces[k].start, grows_until_);
-    if (before > grows_until_ && (force_.jump(k) > 0 || !(force_(before) > 0))) return before;
+    if (before > grows_until_ && (force_.jump(k) > 0 || shrinking(before) < 0)) return before;
     for (const double t : look_times(pieces[k], std::nextafter(end, pieces[k].start))) {
       if (t <= before) continue;
       if (shrinking(t) < 0) {

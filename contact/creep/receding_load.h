@@ -8,6 +8,7 @@
 // that may be after the peak of the force), then shrinks until it is lost (F = 0), until the relaxing stress of what is
 // left of it exceeds the force and it grows again, or until a jump up.
 //
+// Cost     of making it: some forty looks a piece, each of all pieces and modes; sampled forces go to springs.h.
 // Units    t [s], F [N], X [m^2].
 // Error    t_1: the root to the last digit of an equation that is good to about 10 units of rounding of its largest
 //          term; tests/contact/creep_press_test.cc.
