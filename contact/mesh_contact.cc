@@ -1,0 +1,55 @@
+#include <patchgrip/contact/mesh_contact.h>
+#include <patchgrip/contact/require.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchgrip::contact {
+namespace {
+
+double dot(const Vector& p, const Vector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+
+Vector cross(const Vector& p, const Vector& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+
+}  // namespace
+
+MeshContact MeshContact::between(const TriangleMesh& p, const TriangleMesh& m, const Vector& contact_point) {
+  const MeshCurvature first = curvature_near(p, contact_point), second = curvature_near(m, contact_point);
+  const Vector& normal = first.curvatures.normal;
+  const Vector opening = cross(normal, second.curvatures.normal);
+  const double tilt = std::atan2(std::sqrt(dot(opening, opening)), -dot(normal, second.curvatures.normal));
+  require_in("angle_between_normals", tilt, 0, 0.2);
+
+  // Counter-clockwise about the normal of p.
+  const Vector& x = first.curvatures.direction_of_k_max;
+  const Vector y = cross(normal, x);
+  const Vector& other = second.curvatures.direction_of_k_max;
+  const auto radii = RelativeRadii::of_bodies(first.curvatures.radii(), second.curvatures.radii(),
+                                              std::atan2(dot(other, y), dot(other, x)));
+  const double error = first.curvature_error + second.curvature_error;
+  require_in("relative_curvature_error", error * radii.large, 0, 0.5);
+  const double c = std::cos(radii.angle_a), s = std::sin(radii.angle_a);
+  return {first, second, radii, error, {c * x[0] + s * y[0], c * x[1] + s * y[1], c * x[2] + s * y[2]}};
+}
+
+MeshContact::Pressed MeshContact::under_force(double normal_force, double contact_modulus) const {
+  const auto ellipse = HertzEllipse::under_force(normal_force, radii, contact_modulus);
+  Pressed pressed{ellipse, 0, 0, 0, 0};
+  for (const double small_error : {-curvature_error, curvature_error}) {
+    for (const double large_error : {-curvature_error, curvature_error}) {
+      const double one = 1 / (1 / radii.small + small_error), other = 1 / (1 / radii.large + large_error);
+      const auto corner = HertzEllipse::under_force(
+          normal_force, RelativeRadii::of(std::min(one, other), std::max(one, other)), contact_modulus);
+      pressed.a_error = std::max(pressed.a_error, std::fabs(corner.a - ellipse.a));
+      pressed.b_error = std::max(pressed.b_error, std::fabs(corner.b - ellipse.b));
+      pressed.peak_pressure_error =
+          std::max(pressed.peak_pressure_error, std::fabs(corner.peak_pressure - ellipse.peak_pressure));
+      pressed.approach_error = std::max(pressed.approach_error, std::fabs(corner.approach - ellipse.approach));
+    }
+  }
+  return pressed;
+}
+
+}  // namespace patchgrip::contact

@@ -1,0 +1,39 @@
+// Hertz contact of two bodies given as triangles: relative curvature from the two fits, with the error that they carry.
+//
+// Both meshes lie in one frame, about to touch in the given point: their outward normals there are opposite. With k =
+// k_max along its direction as 1/R1 of each body (relative_radii.h), the sum of the two matrices of curvature is as
+// uncertain as the two fits together,
+//
+//     |1/R_small - true|, |1/R_large - true| <= e_p + e_m,     e: curvature_error of mesh_curvature.h
+//
+// and a, b, p_0, delta follow over the corners of that square; they are monotone in each of the two.
+//
+// Domain   normals opposite to within 0.2 rad; e_p + e_m below half of 1/R_large: else the meshes do not tell.
+// Units    [m], F [N], E* [Pa], a_error ... as the results.
+// Error    *_error: bounds as reliable as curvature_error; tests/contact/mesh_contact_test.cc. The angle between the normals
+//          adds its square, relative.
+// Throws   std::invalid_argument, naming the parameter, outside the domain or where a mesh or a radius is refused.
+#pragma once
+
+#include <patchgrip/contact/hertz_ellipse.h>
+#include <patchgrip/contact/mesh_curvature.h>
+
+namespace patchgrip::contact {
+
+struct MeshContact {
+  static MeshContact between(const TriangleMesh& p, const TriangleMesh& m, const Vector& contact_point);
+
+  struct Pressed {
+    HertzEllipse ellipse;
+    double a_error, b_error, peak_pressure_error, approach_error;  // bounds
+  };
+  Pressed under_force(double normal_force, double contact_modulus) const;
+
+  MeshCurvature first;   // of p
+  MeshCurvature second;  // of m
+  RelativeRadii radii;
+  double curvature_error;  // bound of the error of 1/R_small and 1/R_large [1/m]
+  Vector direction_a;      // of the major semi-axis, unit, in the tangent plane of p
+};
+
+}  // namespace patchgrip::contact
