@@ -1,6 +1,6 @@
 // Pressure between a half-space and a rigid shape on one grid: a quadratic programme with bounds.
 //
-//     g = u_z + f - delta,   p >= 0,  g >= 0,  p g = 0,   u_z = K p / E*   (Kalker 1977; Polonsky, Keer, Wear 231, 1999)
+//     g = u_z + f - delta,   p >= 0,  g >= 0,  p g = 0,  u_z = K p / E*   (Kalker 1977; Polonsky, Keer, Wear 231, 1999)
 //
 // f is the gap before contact, delta the approach: either delta is given, or the sum of p. Method: Newton's on the set
 // A = {p > 0 or g < 0} (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13, 2002); in it K p = delta - f by conjugate
