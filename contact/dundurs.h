@@ -1,7 +1,7 @@
 // Dundurs' parameters of two elastic half-spaces: how much the materials differ.
 //
 //     alpha_D = (E'_p - E'_m) / (E'_p + E'_m),   E' = E / (1 - nu^2)
-//     beta_D = (E*/2) [(1 - 2 nu_m)(1 + nu_m) / E_m - (1 - 2 nu_p)(1 + nu_p) / E_p]              (Johnson 5.3, E* of material.h)
+//     beta_D = (E*/2) [(1 - 2 nu_m)(1 + nu_m) / E_m - (1 - 2 nu_p)(1 + nu_p) / E_p]     (Johnson 5.3, E* of material.h)
 //
 // beta_D couples normal and tangential displacement: it is 0 for equal materials, for two incompressible ones, and for
 // an incompressible body against a rigid one; positive where body p is the more compliant in shear. Frictionless normal

@@ -2,8 +2,8 @@
 //
 //     R_small / R_large = RD(0, k^2, 1) / RD(0, 1, k^2) = k^2 D / B,   k = b / a      (seed 4.1.3; Johnson 4.26)
 //
-// D and B as in complete_elliptic.h; a lies along the direction of R_large. Solved by Newton's method in ln k; closer to
-// the circle than R_small = R_large / 2 in ln(1 - k), from
+// D and B as in complete_elliptic.h; a lies along the direction of R_large. Solved by Newton's method in ln k; closer
+// to the circle than R_small = R_large / 2 in ln(1 - k), from
 //
 //     1 - R_small / R_large = e^2 (1/2 - (1 + k^2) T) / (1/2 - e^2 T),   1 - k = (2/3) (1 - R_small / R_large) + ...
 //

@@ -1,12 +1,12 @@
 // Pressure of a Hertz contact on an ellipse, and the surface of the half-space under it.
 //
-//     p = p_0 sqrt(1 - x^2/a^2 - y^2/b^2),   F = (2/3) pi a b p_0                                     (seed 4.11, n = 1)
-//     u_z = (p_0 a b / E*) [RF(w, b^2 + w, a^2 + w) - (x^2/3) RD(b^2 + w, w, a^2 + w) - (y^2/3) RD(a^2 + w, w, b^2 + w)]
+//     p = p_0 sqrt(1 - x^2/a^2 - y^2/b^2),   F = (2/3) pi a b p_0                                    (seed 4.11, n = 1)
+//     u_z = (p_0 a b / E*) [RF(w, B, A) - (x^2/3) RD(B, w, A) - (y^2/3) RD(A, w, B)],   A = a^2 + w,   B = b^2 + w
 //
 // (the potential integral of the ellipse, Johnson 3.7, in Carlson's forms: its lower limit only shifts the arguments).
 // w is the larger root of x^2/(a^2 + w) + y^2/(b^2 + w) = 1 outside and 0 inside, where
 //
-//     u_z = (p_0 b / E*) [K - (x/a)^2 D - (y/b)^2 B]                                    (complete_elliptic.h; seed 4.11)
+//     u_z = (p_0 b / E*) [K - (x/a)^2 D - (y/b)^2 B]                                   (complete_elliptic.h; seed 4.11)
 //
 // Far away u_z -> F / (pi E* r). At w the integrand vanishes, so an error of w does not reach u_z in first order.
 //

@@ -2,7 +2,8 @@
 //
 // With k = b/a and the integrals K, D of it (ellipse_shape.h), R = R_large, all at one approach delta (seed 4.1.3):
 //
-//     a^3 = 3 F R D / (pi E*),   b = k a,   p_0 = 3 F / (2 pi a b),   delta = p_0 b K / E*,   dF/d(delta) = 3 F / (2 delta)
+//     a^3 = 3 F R D / (pi E*),   b = k a,   p_0 = 3 F / (2 pi a b)
+//     delta = p_0 b K / E*,   dF/d(delta) = 3 F / (2 delta)
 //     a^2 = 2 R delta D / K,   F = 2 pi a E* delta / (3 K)
 //
 // The seed writes them with F_1, F_2 and R_e = sqrt(R_1 R_2), where R_1 >= R_2 (not R_2 >= R_1 as printed):
@@ -17,7 +18,8 @@
 //          (or 1 - R_small/R_large), E*; tests/contact/hertz_ellipse_test.cc. Made through RelativeRadii::of_bodies:
 //          its errors come on top, relative errors of R_small and R_large as at most 2/3 of themselves.
 // Fails    where a is not small against the radii: nothing here warns of it.
-// Throws   std::invalid_argument, naming the parameter, outside the domain or where a result would not be representable.
+// Throws   std::invalid_argument, naming the parameter, outside the domain or where a result would not be
+//          representable.
 #pragma once
 
 #include <patchgrip/contact/ellipse_shape.h>

@@ -10,8 +10,8 @@
 //
 // Domain   normals opposite to within 0.2 rad; e_p + e_m below half of 1/R_large: else the meshes do not tell.
 // Units    [m], F [N], E* [Pa], a_error ... as the results.
-// Error    *_error: bounds as reliable as curvature_error; tests/contact/mesh_contact_test.cc. The angle between the normals
-//          adds its square, relative.
+// Error    *_error: bounds as reliable as curvature_error; tests/contact/mesh_contact_test.cc. The angle between the
+//          normals adds its square, relative.
 // Throws   std::invalid_argument, naming the parameter, outside the domain or where a mesh or a radius is refused.
 #pragma once
 

@@ -9,8 +9,8 @@
 //     det = (k1p + k1m)(k2p + k2m) cos^2 alpha + (k1p + k2m)(k2p + k1m) sin^2 alpha
 //     R_small = 2 / (S + D),   R_large = (S + D) / (2 det),   1 - R_small / R_large = 2 D / (S + D)
 //
-// (S^2 - D^2)/4 = det would cancel for nearly parallel cylinders. The direction of the larger relative curvature lies at
-// (1/2) atan2(dm sin 2 alpha, dp + dm cos 2 alpha) from the R1p direction; the semi-axis a is perpendicular to it.
+// (S^2 - D^2)/4 = det would cancel for nearly parallel cylinders. The direction of the larger relative curvature lies
+// at (1/2) atan2(dm sin 2 alpha, dp + dm cos 2 alpha) from the R1p direction; the semi-axis a is perpendicular to it.
 //
 // Domain   radii positive, infinite (plane) or negative (hollow), as long as det > 0 and S > 0: else the bodies touch
 //          along a line or in more places.
@@ -19,7 +19,8 @@
 //          (|first| + |second term|) / det, which is 1 unless a saddle or a hollow takes part;
 //          1 - R_small / R_large <= 1.01 units + 2^-9 units (|dp| + |dm|) / D of its size;
 //          tests/contact/relative_radii_test.cc.
-// Throws   std::invalid_argument, naming the parameter, outside the domain or where a radius would not be representable.
+// Throws   std::invalid_argument, naming the parameter, outside the domain or where a radius would not be
+//          representable.
 #pragma once
 
 namespace patchgrip::contact {

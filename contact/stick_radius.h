@@ -2,7 +2,7 @@
 //
 // Dissimilar bodies want to slip outwards under pressure. With chi = beta_D / mu (dundurs.h) and s = a_S / a:
 //
-//     (1 / 2s) ln((1 + s)/(1 - s)) = (1 / chi) K(sqrt(1 - s^2))                            (Spence; Johnson 5.4; seed 4.1.4)
+//     (1 / 2s) ln((1 + s)/(1 - s)) = (1 / chi) K(sqrt(1 - s^2))                    (Spence; Johnson 5.4; seed 4.1.4)
 //
 // (uncoupled: the shear does not act back on the pressure, Goodman). The same for a punch and for a sphere, as long as
 // the load only grows. Solved for L = artanh s, in which it reads chi L = s K(sqrt(1 - s^2)) and both ends are open:

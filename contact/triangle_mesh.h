@@ -8,8 +8,8 @@
 // Units    [m], as in the file: it has none of its own.
 // Error    closest point: a few units of rounding of the size of the coordinates.
 // Fails    self-intersections are not looked for.
-// Throws   std::invalid_argument, naming the file or the triangle: a file that cannot be opened, is empty, cut off, not a
-//          mesh or of unknown kind; coordinates that are not finite; triangles, edges and orientations as above.
+// Throws   std::invalid_argument, naming the file or the triangle: a file that cannot be opened, is empty, cut off, not
+//          a mesh or of unknown kind; coordinates that are not finite; triangles, edges and orientations as above.
 #pragma once
 
 #include <array>

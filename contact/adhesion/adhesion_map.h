@@ -4,8 +4,8 @@
 // where the models differ by the tolerance that is asked for.
 //
 // Domain   as maugis_dugdale.h; F not below its pull-off.
-// Error    of the errors themselves: 1e-12, absolute, away from the pull-off. A model without contact under this load is
-//          infinitely wrong.
+// Error    of the errors themselves: 1e-12, absolute, away from the pull-off. A model without contact under this load
+//          is infinitely wrong.
 // Throws   std::invalid_argument, naming the parameter, outside the domain.
 #pragma once
 

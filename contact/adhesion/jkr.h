@@ -1,6 +1,6 @@
 // Adhesion after Johnson, Kendall and Roberts: Hertz pressure and a tension that is singular at the rim.
 //
-//     F = 4 E* a^3 / (3 R) - sqrt(8 pi w E* a^3),   delta = a^2 / R - sqrt(2 pi a w / E*)      (seed 4.1.4, w = 2 gamma)
+//     F = 4 E* a^3 / (3 R) - sqrt(8 pi w E* a^3),   delta = a^2 / R - sqrt(2 pi a w / E*)     (seed 4.1.4, w = 2 gamma)
 //     p(r) = (2 E* / (pi R)) sqrt(a^2 - r^2) - (E* / pi) sqrt(2 pi a w / E*) / sqrt(a^2 - r^2)
 //     dF/d(delta) = 2 E* a (1 - 3y/4) / (1 - y/4),   y = sqrt(2 pi w R^2 / (E* a^3))
 //
@@ -21,10 +21,10 @@
 //
 // Domain   large Tabor parameter (tabor.h); a much smaller than R.
 // Units    F [N], a, r, delta [m], p [Pa], stiffness [N/m].
-// Error    units of 2^-53: a <= 1.1, relative, at every load; at a given approach <= 1.1 + 2^-8 / t. F, delta, stiffness,
-//          p: <= 1.1 relative to the larger of their two terms, where a is given; where F or delta is given, that one is
-//          returned as it is, and the other has <= 3 (plus those of a by an approach) times the larger term;
-//          tests/contact/jkr_test.cc.
+// Error    units of 2^-53: a <= 1.1, relative, at every load; at a given approach <= 1.1 + 2^-8 / t. F, delta,
+//          stiffness, p: <= 1.1 relative to the larger of their two terms, where a is given; where F or delta is given,
+//          that one is returned as it is, and the other has <= 3 (plus those of a by an approach) times the larger
+//          term; tests/contact/jkr_test.cc.
 // Fails    the stiffness is infinite where the approach is least, and p tends to -infinity at the rim.
 // Throws   std::invalid_argument, naming the parameter: loads and approaches below pull-off, r >= a.
 #pragma once

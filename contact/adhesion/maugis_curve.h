@@ -1,7 +1,7 @@
 // Equilibria of the Maugis-Dugdale model in dimensionless form, along the width of the zone of attraction.
 //
-// With n = m - 1 = c/a - 1, s = sqrt(m^2 - 1), t = arctan s = arccos(1/m) and H = s + m^2 t, the condition of Maugis is a
-// quadratic in A = a (K / (pi w R^2))^(1/3), so the curve of equilibria is explicit in n:
+// With n = m - 1 = c/a - 1, s = sqrt(m^2 - 1), t = arctan s = arccos(1/m) and H = s + m^2 t, the condition of Maugis is
+// a quadratic in A = a (K / (pi w R^2))^(1/3), so the curve of equilibria is explicit in n:
 //
 //     (lambda A^2 / 2) G_1 + (4 lambda^2 A / 3) G_2 = 1,   G_1 = s + (m^2 - 2) t = (s - t) + s^2 t,   G_2 = s t - n
 //     F / (pi w R) = A^3 - lambda A^2 H,   delta (K^2 / (pi^2 w^2 R))^(1/3) = A^2 - (4/3) lambda A s

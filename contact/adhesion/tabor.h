@@ -1,11 +1,12 @@
 // How far attraction reaches, against how far the surfaces are drawn: the parameters that tell JKR from DMT.
 //
-//     mu_T = (R w^2 / (E*^2 z_0^3))^(1/3)                                          (Tabor, J. Colloid Interface Sci. 58, 1977)
+//     mu_T = (R w^2 / (E*^2 z_0^3))^(1/3)                                   (Tabor, J. Colloid Interface Sci. 58, 1977)
 //     lambda = 2 sigma_0 (R / (pi w K^2))^(1/3),   K = 4 E*/3                      (Maugis, same 150, 1992)
 //     sigma_0 = 16 w / (9 sqrt(3) z_0)    largest attraction of the Lennard-Jones law (8w/3z_0)[(z_0/z)^3 - (z_0/z)^9]
 //     sigma_0 = w / z_0                   Dugdale stress that does the same work within z_0
 //
-// With the first sigma_0, lambda = 1.15701 mu_T. DMT holds below about 0.1, JKR above about 5; between: maugis_dugdale.h.
+// With the first sigma_0, lambda = 1.15701 mu_T. DMT holds below about 0.1, JKR above about 5; between:
+// maugis_dugdale.h.
 //
 // Domain   all arguments positive.
 // Units    z_0 [m], the distance of equilibrium; sigma_0 [Pa]; mu_T, lambda [1].

@@ -1,12 +1,12 @@
 // Radius of the contact of a soft fingertip as a power of the load, and its fit to measurements.
 //
-//     a = c F^gamma,   0 <= gamma <= 1/3                                                   (seed 4.3.2; Xydas, Kao 1999)
+//     a = c F^gamma,   0 <= gamma <= 1/3                                                  (seed 4.3.2; Xydas, Kao 1999)
 //
 // Hertz has gamma = 1/3. Measured: rubber 0.25 .. 0.32, silicone 0.25, a human finger 0.11 .. 0.17 (the seed lost two
 // decimal points). A material with eps^mu of stress gives 1/(2 + mu (d - 1)) for a tip r^d.
 //
-// fit() is the least squares line of ln a on ln F, unweighted; its confidence limits are those of a normal error of ln a,
-// by Student's t with n - 2 degrees of freedom.
+// fit() is the least squares line of ln a on ln F, unweighted; its confidence limits are those of a normal error of ln
+// a, by Student's t with n - 2 degrees of freedom.
 //
 // Domain   fit: n >= 2 points, not all at one load; limits: n >= 3.
 // Units    F [N], a [m], c [m N^-gamma], gamma, rms_log [1].

@@ -1,7 +1,8 @@
 // Soft fingertip on a Winkler bed: a half ball of independent springs pressed by a flat, which may be inclined.
 //
-// The flat lies h = R - delta from the centre of the ball, inclined by theta_0 against the base that carries the springs.
-// With g the part of its length that a spring keeps, and 1 - g its strain (seed 4.3.2; c a modulus, [Pa], not a bedding):
+// The flat lies h = R - delta from the centre of the ball, inclined by theta_0 against the base that carries the
+// springs. With g the part of its length that a spring keeps, and 1 - g its strain (seed 4.3.2; c a modulus, [Pa], not
+// a bedding):
 //
 //     g(x, y) = (h - x sin theta_0) / (cos theta_0 sqrt(R^2 - x^2 - y^2)),   p = c (1 - g) g
 //
@@ -18,8 +19,8 @@
 // Units    R, delta, a, x, y [m], c, p [Pa], F [N], theta_0 [rad].
 // Error    upright: a, p(0), F <= 1.1 units of 2^-53, relative, for every delta. Inclined: F by the trapezoidal rule,
 //          with force_error as its bound; tests/contact/winkler_test.cc.
-// Fails    as mechanics of a contact: a^2 = 2 R delta where an elastic body has R delta (Johnson 4.3). For theta_0 > 0 the
-//          seed's geometry is evaluated; nothing independent supports it.
+// Fails    as mechanics of a contact: a^2 = 2 R delta where an elastic body has R delta (Johnson 4.3). For theta_0 > 0
+//          the seed's geometry is evaluated; nothing independent supports it.
 // Throws   std::invalid_argument, naming the parameter, outside the domain; std::runtime_error should the integral not
 //          converge.
 #pragma once

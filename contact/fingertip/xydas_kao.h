@@ -3,9 +3,9 @@
 //     p(r) = p_0 (1 - (r/a)^alpha)^(1/alpha)                                                                (seed 4.68)
 //     p_0 = (F / (pi a^2)) Gamma(1 + 3/alpha) / (Gamma(1 + 1/alpha) Gamma(1 + 2/alpha))
 //
-// (the seed's 3 F alpha Gamma(3/alpha) / (2 pi a^2 Gamma(1/alpha) Gamma(2/alpha)), in a form that holds for large alpha.)
-// alpha = 1 is a cone, 2 Hertz, 1.8 was found for neoprene, alpha -> infinity is uniform. An empirical pressure: no shape
-// and no approach go with it. Its friction: friction/xydas_kao_disc.h.
+// (the seed's 3 F alpha Gamma(3/alpha) / (2 pi a^2 Gamma(1/alpha) Gamma(2/alpha)), in a form that holds for large
+// alpha.) alpha = 1 is a cone, 2 Hertz, 1.8 was found for neoprene, alpha -> infinity is uniform. An empirical
+// pressure: no shape and no approach go with it. Its friction: friction/xydas_kao_disc.h.
 //
 // Domain   F, a > 0, 0.5 <= alpha <= 1e6.
 // Units    F [N], a, r [m], p [Pa].

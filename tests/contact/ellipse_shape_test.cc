@@ -81,7 +81,7 @@ TEST(EllipseShape, HoldsItsBoundFromTheCircleToTheLine) {
 // The loop of means against Carlson's own forms, which share nothing with it, in fifty digits.
 TEST(EllipseShape, SolvesCarlsonsForm) {
   std::mt19937_64 engine(20060111);
-  for (int i = 0; i < cases(60); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const Exact ratio = log_uniform(engine, 1e-12, 1);
     const auto shape = EllipseShape<Exact>::of_ratio(ratio);
     const Exact k2 = shape.k * shape.k;

@@ -164,7 +164,7 @@ TEST(Jkr, StateAtARadiusHoldsItsBound) {
 TEST(Jkr, RadiusAtAnApproachHoldsItsBound) {
   Draw draw;
   double worst = 0, worst_force = 0;
-  for (int i = 0; i < cases(400); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const auto s = draw.sphere();
     const ExactSphere exact(s);
     const Exact L = cbrt(exact.pi * exact.w * exact.R * exact.R / exact.E);

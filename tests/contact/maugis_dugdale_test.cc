@@ -70,7 +70,7 @@ Exact condition_of_maugis(const Exact& lambda, const Exact& A, const Exact& n) {
 
 TEST(MaugisDugdale, CurveSolvesTheConditionOfMaugis) {
   std::mt19937_64 engine(20060240);
-  for (int i = 0; i < cases(200); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const Exact lambda = log_uniform(engine, 1e-4, 1e4), n = log_uniform(engine, 1e-8, 1e8);
     const auto point = MaugisCurve<Exact>{lambda}.at(n);
     EXPECT_LE(abs(condition_of_maugis(lambda, point.A, n)), 1e-28);  // acos next to 1 halves the digits
@@ -80,7 +80,7 @@ TEST(MaugisDugdale, CurveSolvesTheConditionOfMaugis) {
 TEST(MaugisDugdale, CurveHoldsItsBound) {
   std::mt19937_64 engine(20060241);
   double worst = 0, worst_pull_off = 0;
-  for (int i = 0; i < cases(60); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const double lambda = log_uniform(engine, i % 2 == 0 ? 1e-8 : 1e-2, i % 2 == 0 ? 1e8 : 1e2);
     const MaugisCurve<long double> curve{lambda};
     const MaugisCurve<Exact> exact{Exact(lambda)};
@@ -106,7 +106,7 @@ TEST(MaugisDugdale, CurveHoldsItsBound) {
 TEST(MaugisDugdale, RadiusUnderALoadHoldsItsEstimate) {
   std::mt19937_64 engine(20060242);
   double worst = 0;
-  for (int i = 0; i < cases(80); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const double lambda = log_uniform(engine, 1e-6, 1e6);
     const auto model = model_of(lambda);
     const double least = model.pull_off().normal_force;

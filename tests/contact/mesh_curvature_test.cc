@@ -50,7 +50,7 @@ TEST(MeshCurvature, HoldsItsErrorOnEllipsoids) {
     for (const int levels : {3, 4, 5}) {
       for (const double scatter : {0., 1e-7, 1e-5, 1e-4}) {
         const auto mesh = mesh_of(levels, axes, scatter, engine);
-        for (int i = 0; i < cases(10); ++i) {
+        for (int i = 0; i < cases(11); ++i) {
           const auto point = Ellipsoid::of_axes(axes[0], axes[1], axes[2])
                                  .point(uniform(engine, -3.14, 3.14), std::asin(uniform(engine, -1, 1)));
           const auto found = curvature_near(mesh, point);

@@ -44,7 +44,7 @@ TEST(PowerLawFit, AgreesWithTheTable) {
 TEST(PowerLawFit, HoldsItsBound) {
   std::mt19937_64 engine(20060260);
   double worst = 0;
-  for (int i = 0; i < cases(200); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const double lo = log_uniform(engine, 1e-12, 1e9), span = log_uniform(engine, 1.01, 1e3);
     const double c = log_uniform(engine, 1e-6, 1), gamma = uniform(engine, 0.05, 0.34);
     std::vector<MeasuredRadius> points;

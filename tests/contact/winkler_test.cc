@@ -87,7 +87,7 @@ TEST(WinklerFingertip, ForceIsTheIntegralOfThePressure) {
 TEST(WinklerFingertip, UprightForceIsTheLimitOfTheInclinedOneWithinItsError) {
   std::mt19937_64 engine(20060281);
   double worst = 0;
-  for (int i = 0; i < cases(300); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const auto tip = WinklerFingertip::of(log_uniform(engine, 1e-3, 1), log_uniform(engine, 1, 1e9));
     const double approach = tip.tip_radius * log_uniform(engine, 1e-12, 0.9);
     const auto force = tip.inclined_force(approach, 0);
