@@ -16,7 +16,19 @@ Vector cross(const Vector& p, const Vector& q) {
 }  // namespace
 
 MeshContact MeshContact::between(const TriangleMesh& p, const TriangleMesh& m, const Vector& contact_point) {
-  const MeshCurvature first = curvature_near(p, contact_point), second = curvature_near(m, contact_point);
+  return of(curvature_near(p, contact_point), curvature_near(m, contact_point));
+}
+
+MeshContact MeshContact::with_ball(const TriangleMesh& p, double ball_radius, const Vector& contact_point) {
+  const MeshCurvature first = curvature_near(p, contact_point);
+  const double k = 1 / require_radius("ball_radius", ball_radius);
+  PrincipalCurvatures ball = first.curvatures;
+  ball.k_max = ball.k_min = k;
+  for (double& component : ball.normal) component = -component;
+  return of(first, {ball, 0, first.point, 0});
+}
+
+MeshContact MeshContact::of(const MeshCurvature& first, const MeshCurvature& second) {
   const Vector& normal = first.curvatures.normal;
   const Vector opening = cross(normal, second.curvatures.normal);
   const double tilt = std::atan2(std::sqrt(dot(opening, opening)), -dot(normal, second.curvatures.normal));

@@ -1,4 +1,4 @@
-// Hertz contact of two bodies given as triangles: relative curvature from the two fits, with the error that they carry.
+// Hertz contact of bodies given as triangles: relative curvature from the fits, with the error that they carry.
 //
 // Both meshes lie in one frame, about to touch in the given point: their outward normals there are opposite. With k =
 // k_max along its direction as 1/R1 of each body (relative_radii.h), the sum of the two matrices of curvature is as
@@ -23,6 +23,9 @@ namespace patchgrip::contact {
 struct MeshContact {
   static MeshContact between(const TriangleMesh& p, const TriangleMesh& m, const Vector& contact_point);
 
+  // A ball, a plane (infinite radius) or a hollow (negative) that touches the mesh in the point.
+  static MeshContact with_ball(const TriangleMesh& p, double ball_radius, const Vector& contact_point);
+
   struct Pressed {
     HertzEllipse ellipse;
     double a_error, b_error, peak_pressure_error, approach_error;  // bounds
@@ -34,6 +37,9 @@ struct MeshContact {
   RelativeRadii radii;
   double curvature_error;  // bound of the error of 1/R_small and 1/R_large [1/m]
   Vector direction_a;      // of the major semi-axis, unit, in the tangent plane of p
+
+ private:
+  static MeshContact of(const MeshCurvature& first, const MeshCurvature& second);
 };
 
 }  // namespace patchgrip::contact

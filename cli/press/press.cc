@@ -4,6 +4,7 @@
 #include <patchgrip/cli/press/press_ellipse.h>
 #include <patchgrip/cli/press/press_given.h>
 #include <patchgrip/cli/press/press_height_map.h>
+#include <patchgrip/cli/press/press_mesh.h>
 #include <patchgrip/cli/press/press_round.h>
 #include <patchgrip/cli/press/pressed.h>
 #include <patchgrip/cli/scene/profile_of.h>
@@ -22,6 +23,7 @@ Pressed press_pair(const BodyPair& pair, const PressScene& scene) {
     if (!radius) throw std::invalid_argument("adhesion: covered between balls, hollows and planes");
     return press_adhesive(*radius, modulus, scene);
   }
+  if (has_mesh(pair)) return press_mesh(pair, modulus, scene);
   if (height_map_of(pair) != nullptr) return press_height_map(pair, modulus, scene);
   if (radius) return press_balls(pair, scene);
   if (stamp_of(pair) != nullptr) return press_stamp(pair, scene);

@@ -137,7 +137,7 @@ DescribedShape read_mesh(const TomlReader& body) {
   constexpr std::string_view allowed = "a point [x, y, z] of the mesh, in its own unit";
   const toml::array& values = body.array(body.node("point"), "point", allowed);
   if (values.size() != 3) body.refuse("point", allowed);
-  MeshSurface mesh{beside_scene(body, "mesh"), {}, 1, direction_of(body)};
+  MeshSurface mesh{beside_scene(body, "mesh"), {}, 1};
   for (std::size_t i = 0; i < 3; ++i) {
     mesh.point[i] = body.number(values[i], fmt::format("point[{}]", i), any_sign("a coordinate"));
   }
@@ -162,7 +162,7 @@ DescribedShape read_shape(const TomlReader& body) {
   static const std::array<Kind, 6> kinds{{{"plane", {}, read_plane},
                                           {"radii", {"direction"}, read_radii},
                                           {"cylinder", {"direction"}, read_cylinder},
-                                          {"mesh", {"point", "unit", "direction"}, read_mesh},
+                                          {"mesh", {"point", "unit"}, read_mesh},
                                           {"height_map", {"cell", "periodic"}, read_height_map},
                                           {"radius", {"concave"}, read_ball}}};
   const auto kind = std::ranges::find_if(kinds, [&](const Kind& k) { return is_given(body, k.name); });

@@ -56,9 +56,8 @@ struct PointStamp {
 // The surface of a mesh near a point of it.
 struct MeshSurface {
   std::filesystem::path file;
-  std::array<double, 3> point;  // in the frame and the unit of the file's coordinates
-  double unit;                  // of the file [m]
-  double direction;             // of the mesh's own x-axis against that of the contact [rad]
+  std::array<double, 3> point;  // in the frame and the unit of the file
+  double unit;                  // of its coordinates [m]
 };
 
 // Heights on a grid (contact/half_space/height_map.h), its middle at the origin.

@@ -1,0 +1,92 @@
+#include <patchgrip/cli/press/press_mesh.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <patchgrip/contact/mesh_contact.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using contact::MeshContact;
+using contact::TriangleMesh;
+
+// In metres.
+TriangleMesh read_mesh(const MeshSurface& surface) {
+  TriangleMesh mesh = TriangleMesh::read(surface.file.string());
+  if (surface.unit == 1) return mesh;
+  std::vector<contact::Vector> vertices = mesh.vertices();
+  for (auto& vertex : vertices) {
+    for (double& coordinate : vertex) coordinate *= surface.unit;
+  }
+  return TriangleMesh::of(std::move(vertices), mesh.triangles());
+}
+
+contact::Vector point_of(const MeshSurface& surface) {
+  contact::Vector point = surface.point;
+  for (double& coordinate : point) coordinate *= surface.unit;
+  return point;
+}
+
+double radius_of(const Shape& shape) {
+  if (std::holds_alternative<Plane>(shape)) return std::numeric_limits<double>::infinity();
+  if (const auto* ball = std::get_if<Ball>(&shape)) return ball->radius;
+  throw std::invalid_argument("bodies: a mesh presses on a ball, a hollow, a plane or another mesh");
+}
+
+MeshContact contact_of(const BodyPair& pair) {
+  const auto* first = std::get_if<MeshSurface>(&pair.first.shape);
+  const auto* second = std::get_if<MeshSurface>(&pair.second.shape);
+  if (first != nullptr && second != nullptr) {
+    return MeshContact::between(read_mesh(*first), read_mesh(*second), point_of(*first));
+  }
+  const MeshSurface& mesh = first != nullptr ? *first : *second;
+  return MeshContact::with_ball(read_mesh(mesh), radius_of(first != nullptr ? pair.second.shape : pair.first.shape),
+                                point_of(mesh));
+}
+
+}  // namespace
+
+bool has_mesh(const BodyPair& pair) {
+  return std::holds_alternative<MeshSurface>(pair.first.shape) ||
+         std::holds_alternative<MeshSurface>(pair.second.shape);
+}
+
+Pressed press_mesh(const BodyPair& pair, double modulus, const PressScene& scene) {
+  const auto& load = std::get<StaticLoad>(scene.load);
+  if (load.kind != LoadKind::normal_force) throw std::invalid_argument("bodies: a mesh takes 'normal_force'");
+  const MeshContact contact = contact_of(pair);
+  const auto pressed = contact.under_force(load.value, modulus);
+  const auto& e = pressed.ellipse;
+  // delta = (3/2) F / stiffness.
+  const double stiffness_error = e.stiffness * pressed.approach_error / (e.approach - pressed.approach_error);
+  const auto relative_radius = [&](const char* name, double radius) {
+    return Result{name, radius, radius * radius * contact.curvature_error / (1 - radius * contact.curvature_error),
+                  "m"};
+  };
+  Pressed result{{{"hertz_ellipse",
+                   {{"semi_axis_a", e.a, pressed.a_error, "m"},
+                    {"semi_axis_b", e.b, pressed.b_error, "m"},
+                    {"normal_force", e.normal_force, 0, "N"},
+                    {"approach", e.approach, pressed.approach_error, "m"},
+                    {"peak_pressure", e.peak_pressure, pressed.peak_pressure_error, "Pa"},
+                    {"stiffness", e.stiffness, stiffness_error, "N/m"},
+                    relative_radius("radius_large", contact.radii.large),
+                    relative_radius("radius_small", contact.radii.small),
+                    {"contact_modulus", modulus, 0x1p-52 * modulus, "Pa"}},
+                   "by the curvature of the mesh; errors are those of its fit"},
+                  {},
+                  {}},
+                 e.a,
+                 [p = e.elliptic_pressure(), error = pressed](double x, double y) -> SurfacePoint {
+                   const double value = p.pressure(x, y);
+                   const double relative =
+                       error.peak_pressure_error / p.peak_pressure + 2 * (error.a_error / p.a + error.b_error / p.b);
+                   return {{value, p.peak_pressure * std::sqrt(relative)}};
+                 }};
+  result.knows_displacement = false;
+  return result;
+}
+
+}  // namespace patchgrip::cli
