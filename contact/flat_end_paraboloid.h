@@ -8,7 +8,7 @@
 //
 // Domain   R, b > 0, a > b.
 // Units    R, b, r, a [m]; the rest as in axisymmetric.h.
-// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 10 of F, 16 of p, 12 of u_z, 6 of
+// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 10 of F, 32 of p, 16 of u_z, 8 of
 //          the radius and of S; tests/contact/flat_end_paraboloid_test.cc.
 // Fails    p(b), logarithmically, and g'(b) are +infinity.
 // Throws   std::invalid_argument outside the domain.
@@ -84,7 +84,7 @@ class FlatEndParaboloid {
   FlatEndCircle radius_of_force(double force) const;
 
   double max_radius() const noexcept { return std::numeric_limits<double>::infinity(); }
-  ProfileErrors errors() const noexcept { return {6, 10, 16, 12, 6}; }
+  ProfileErrors errors() const noexcept { return {6, 10, 32, 16, 8}; }
   double end_radius() const noexcept { return b_; }
   double curvature_radius() const noexcept { return R_; }
 
