@@ -279,7 +279,7 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     }
 
     // The last but one is half of the error estimate.
-    const double factor = k + 1 == levels.size() ? 1 : k + 2 == levels.size() ? estimate_tolerance : coarse_tolerance;
+    const double factor = finest ? 1 : k + 2 == levels.size() ? estimate_tolerance : coarse_tolerance;
     const double tolerance = factor * settings.tolerance;
     const SolverStatus status =
         solver.solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);

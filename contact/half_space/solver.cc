@@ -42,7 +42,6 @@ ContactSolver::ContactSolver(const Grid& grid, Surface surface, std::span<const 
 
 SolverStatus ContactSolver::solve(Prescribed prescribed, double value, double tolerance, int max_iterations,
                                   const SolverObserver& observer, std::span<double> pressure) {
-  products_ = 0;
   begin(prescribed, value, pressure);
   int iterations = 0, sets = 0, steps = 0;  // steps since g was formed from p
   bool fresh = true;                        // g is to be formed from p

@@ -43,7 +43,7 @@ struct SolverStatus {
   double residual;
   int iterations;   // steps of conjugate gradients
   int sets;         // contact sets tried
-  double products;  // with K, a call of the preconditioner counted as a quarter (one on a periodic surface)
+  double products;  // of this solver so far, with K; one of the preconditioner counts 1/4 (1 on a periodic surface)
   double approach;  // [m]
 };
 
@@ -95,7 +95,7 @@ class ContactSolver {
   double residual_ = 0;
   double uniform_sum_ = 0;
   double residual_product_ = 0;  // r . M r
-  double products_ = 0;
+  double products_ = 0;          // since construction
 };
 
 }  // namespace patchgrip::contact
