@@ -2,8 +2,8 @@
 //
 //     F(t) = 2 int_0^a q(x, t) dx,        p(r, t) = -(1/pi) int_r^a q_x(x, t) / sqrt(x^2 - r^2) dx
 //
-// q(x, t) from spring.h. It is smooth in x but where the number of changes of the springs differs: at the greatest and
-// least radii of the cycles so far. Those are found by bisection, the panels between them are integrated in s,
+// q(x, t) from spring.h. It is smooth in x but where the springs change in other pieces of the approach: at the radii of
+// its corners, and the greatest and least of the cycles so far. Those are found by bisection, the panels between them are integrated in s,
 // x = lo + (hi - lo) s^2 (3 - 2 s), which takes the roots of their ends.
 //
 // Domain   approaches that are linear between points, with jumps; M without a bare dashpot; exact while the zone is one
@@ -41,7 +41,7 @@ struct PressedSpring {
   double stress;  // q [Pa m]
   double depth;   // u [m]
   bool is_touching;
-  int changes;
+  std::size_t course;  // alike where the spring was met and let go in the same pieces of the approach
 };
 
 PressedSpring press_spring(const SpringLaw& law, const History& approach, double height, double t);
@@ -71,7 +71,8 @@ class Cycles {
           stresses.emplace_back(x, q);
           return 2 * q;
         },
-        0);
+        // q is what is left of stresses of this size.
+        16 * 0x1p-53 * law_.creep().modulus.instantaneous() * deepest(t) * ends.radius);
     std::sort(stresses.begin(), stresses.end());
     for (std::size_t k = 1; k < stresses.size(); ++k) {
       const double rounding = 1e-13 * stresses.front().second;
@@ -95,7 +96,7 @@ class Cycles {
       if (x > r) places.push_back(z_of(x));
     }
     const Estimate rest = integral(
-        places, [&](double z) { return (q - spring(std::hypot(r, z), t).stress) / (z * z); }, 1e-11 * q / edge);
+        places, [&](double z) { return (q - spring(std::hypot(r, z), t).stress) / (z * z); }, 1e-9 * q / edge);
     constexpr double inverse_pi = std::numbers::inv_pi;
     return {inverse_pi * (q / edge + rest.value), inverse_pi * (4 * 0x1p-53 * q / edge + rest.error)};
   }
@@ -122,25 +123,26 @@ class Cycles {
         std::move(panels), floor);
   }
 
-  double widest(double t) const {
+  double deepest(double t) const {
     double deepest = 0;
     const auto& pieces = approach_.pieces();
     for (std::size_t k = 0; k < pieces.size() && pieces[k].start <= t; ++k) {
       const double end = k + 1 < pieces.size() ? std::min(t, pieces[k + 1].start) : t;
       deepest = std::max({deepest, pieces[k].value, pieces[k].at(end)});
     }
-    return deepest > 0 ? static_cast<double>(profile_.radius_of_approach(deepest)) : 0;
+    return deepest;
   }
 
   Ends ends_of(double t) const {
     require_in("time", t, approach_.start(), 1e300);
     Ends ends{{0}, 0, true};
-    const double reach = widest(t);
-    if (reach == 0) return ends;
+    if (!(deepest(t) > 0)) return ends;
+    const double reach = static_cast<double>(profile_.radius_of_approach(deepest(t)));
     const auto same = [&](const PressedSpring& one, const PressedSpring& other) {
-      return one.changes == other.changes && one.is_touching == other.is_touching;
+      return one.course == other.course && one.is_touching == other.is_touching;
     };
     constexpr int looks = 48;
+    std::size_t last = 1;  // places up to the edge
     double x = 0;
     PressedSpring here = spring(0, t);
     bool was_left = !here.is_touching;
@@ -158,6 +160,7 @@ class Cycles {
         ends.places.push_back(hi);
         if (here.is_touching && !next.is_touching) {
           ends.radius = lo;
+          last = ends.places.size();
           was_left = true;
         }
         if (!here.is_touching && next.is_touching && was_left) ends.is_one_circle = false;
@@ -169,8 +172,9 @@ class Cycles {
     if (here.is_touching) {
       ends.radius = reach;
       ends.places.push_back(reach);
+      last = ends.places.size();
     }
-    while (ends.places.size() > 1 && ends.places.back() > std::nextafter(ends.radius, reach)) ends.places.pop_back();
+    ends.places.resize(last);
     return ends;
   }
 

@@ -14,7 +14,7 @@
 // Domain   M without a bare dashpot.
 // Units    d, u [m], q [Pa m], t [s].
 // Error    a few units of rounding (2^-53) of M_0 |u| a step; times of change to the last digit;
-//          tests/contact/spring_test.cc.
+//          tests/contact/cycles_test.cc.
 // Fails    where q neither falls nor rises all through a step, its zeros are looked for at 28 times of the step: a dip
 //          between two of them is not seen.
 // Throws   std::runtime_error where a spring changes more than 64 times in a step.

@@ -11,9 +11,9 @@
 //          (`stress_falls`, which makes p >= 0). M without a bare dashpot.
 // Units    t [s], delta, x, a, r [m], F [N], p [Pa].
 // Cost     a step: springs times modes, whatever came before; memory: one number per spring and mode, and four.
-// Error    of F at a given approach: the estimate, from the second differences of q (Simpson's and the trapezoidal rule,
-//          and their neighbours); it is of order 1/springs^2 where the edge or an older edge passes between two springs.
-//          Of the steps under a given force: press_springs() halves them; tests/contact/springs_test.cc.
+// Error    of F at a given approach: the estimate, four times what the second differences of q say and a quarter of
+//          what lies beyond the last spring, where a kink would not show: of order 1/springs^2, mostly two or three
+//          decades too careful. Of the steps under a given force: spring_press.h; tests/contact/springs_test.cc.
 // Fails    fewer than three springs in touch: the estimate is the force itself.
 // Throws   std::invalid_argument for bad input, and where the radius would leave `widest`; std::runtime_error where the
 //          approach of a force does not settle.
