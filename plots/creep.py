@@ -43,7 +43,7 @@ def main():
     draw(grows, measured, "0.4", "contact grows: relative error of the approach [-]")
     draw(shrinks, measured, "0.9", "contact shrinks")
     grows.text(8e5, ROUNDING / 1.7, r"rounding, $2^{-53}$", ha="right", va="top", color=GREY)
-    grows.set_ylim(1e-17, 3)
+    grows.set_ylim(1e-18, 3)
     handles, labels = grows.get_legend_handles_labels()
     figure.get_layout_engine().set(rect=(0, 0.17, 1, 0.83))
     figure.legend(handles, labels, loc="lower center", ncols=3, handlelength=1.4)
