@@ -103,6 +103,32 @@ TEST(MaugisDugdale, CurveHoldsItsBound) {
   EXPECT_LE(worst_pull_off, 0.25);
 }
 
+TEST(MaugisDugdale, StateAtARadiusHoldsItsBound) {
+  std::mt19937_64 engine(20060243);
+  const Exact exact_pi = boost::math::constants::pi<Exact>();
+  double worst = 0;
+  for (int i = 0; i < cases(500); ++i) {
+    const double R = log_uniform(engine, 1e-9, 1e3), E = log_uniform(engine, 1e3, 1e12);
+    const double w = log_uniform(engine, 1e-4, 1e2);
+    const Exact K = 4 * Exact(E) / 3, unit = cbrt(exact_pi * w * R * R / K);
+    const double attraction =
+        static_cast<double>(log_uniform(engine, 1e-7, 1e7) / 2 * cbrt(Exact(exact_pi * w * K * K / R)));
+    const double a = static_cast<double>(unit * log_uniform(engine, 1e-3, 1e3));
+    const auto at = MaugisDugdale::of(AdhesiveSphere::of(R, E, w), attraction).at_radius(a);
+
+    const MaugisCurve<Exact> curve{2 * Exact(attraction) * cbrt(Exact(R / (exact_pi * w * K * K)))};
+    const auto point = curve.at_radius(a / unit);
+    const Exact depth = unit * unit / R;
+    const Exact attracted = point.A * point.A + abs(point.approach);
+    worst = std::max(
+        {worst, units_of_rounding(at.ring_width, a * point.n), units_of_rounding(at.outer_radius, a * (1 + point.n)),
+         static_cast<double>(abs(at.normal_force / (exact_pi * w * R) - point.force) / point.force_term) * 0x1p53,
+         static_cast<double>(abs(at.approach / depth - point.approach) / attracted) * 0x1p53});
+  }
+  RecordProperty("worst_units", std::to_string(worst));
+  EXPECT_LE(worst, 1.1);
+}
+
 TEST(MaugisDugdale, RadiusUnderALoadHoldsItsEstimate) {
   std::mt19937_64 engine(20060242);
   double worst = 0;
