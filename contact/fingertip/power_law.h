@@ -5,13 +5,16 @@
 // Hertz has gamma = 1/3. Measured: rubber 0.25 .. 0.32, silicone 0.25, a human finger 0.11 .. 0.17 (the seed lost two
 // decimal points). A material with eps^mu of stress gives 1/(2 + mu (d - 1)) for a tip r^d.
 //
+// A ball pressed deep needs no such material: by its shape alone (sphere.h, 1 / growth_exponent()) gamma falls from 1/3
+// to 0.307, 0.236, 0.175 at a/R = 0.5, 0.8, 0.9.
+//
 // fit() is the least squares line of ln a on ln F, unweighted; its confidence limits are those of a normal error of ln
 // a, by Student's t with n - 2 degrees of freedom.
 //
 // Domain   fit: n >= 2 points, not all at one load; limits: n >= 3.
 // Units    F [N], a [m], c [m N^-gamma], gamma, rms_log [1].
-// Error    radius, force: <= 4 units of 2^-53, relative, (1 + |gamma ln F|) times. fit: gamma, c to 2^-60 times the
-//          largest |ln| over the spread of ln F; tests/contact/power_law_test.cc.
+// Error    units of 2^-53: a <= 3, F <= (2 + |ln(a/c)|) / gamma, relative. fit: gamma absolute, c relative: 1.6, and
+//          2^-7 times the square of the largest |ln F|, |ln a| over the range of ln F; tests/contact/power_law_test.cc.
 // Throws   std::invalid_argument, naming the parameter, outside the domain.
 #pragma once
 

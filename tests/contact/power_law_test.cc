@@ -12,6 +12,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <patchgrip/contact/hertz_circle.h>
+#include <patchgrip/contact/sphere.h>
 #include <patchgrip/tests/contact/contact_table.h>
 #include <patchgrip/tests/support/cases.h>
 #include <patchgrip/tests/support/exact.h>
@@ -86,6 +87,22 @@ TEST(PowerLawFit, OfHertzHasGammaOneThird) {
   EXPECT_NEAR(PowerLawFit::to(points).law.gamma, 1. / 3, 1e-15);
 }
 
+// The shape of a ball alone explains gamma < 1/3: what a narrow range of loads gives is the slope of the exact sphere.
+TEST(PowerLawFit, OfADeeplyPressedBallFallsBelowOneThird) {
+  for (const auto& [ratio, gamma] :
+       {std::pair{0.01, 0.333}, std::pair{0.5, 0.307}, std::pair{0.8, 0.236}, std::pair{0.9, 0.175}}) {
+    std::vector<MeasuredRadius> points;
+    double slope = 0;
+    for (const double part : {0.999, 1., 1.001}) {
+      const auto zone = AxisymmetricContact<Sphere>::at_radius(Sphere::of_radius(0.02), 0.02 * ratio * part, 66666);
+      points.push_back({zone.force(), zone.radius()});
+      if (part == 1) slope = 1 / zone.growth_exponent();
+    }
+    EXPECT_NEAR(slope, gamma, 6e-4);
+    EXPECT_NEAR(PowerLawFit::to(points).law.gamma, slope, 1e-4);
+  }
+}
+
 // 95 % limits hold the truth in 95 % of experiments: 2000 of them are within 0.95 +- 0.02 but for one in 40000.
 TEST(PowerLawFit, ConfidenceLimitsCoverAsOftenAsTheySay) {
   std::mt19937_64 engine(20060261);
@@ -123,6 +140,22 @@ TEST(PowerLawFit, PointsThatFixNoLineAreRefused) {
   EXPECT_THROW(PowerLawFit::to(std::vector<MeasuredRadius>{{1, 0.004}, {-2, 0.005}}), std::invalid_argument);
   const std::vector<MeasuredRadius> three{{1, 0.004}, {2, 0.005}, {4, 0.0061}};
   EXPECT_THROW(PowerLawFit::to(three).c_limits(1), std::invalid_argument);
+}
+
+TEST(PowerLaw, HoldsItsBound) {
+  std::mt19937_64 engine(20060262);
+  double worst = 0;
+  for (int i = 0; i < cases(500); ++i) {
+    const auto law = PowerLaw::of(log_uniform(engine, 1e-6, 1), uniform(engine, 0.05, 0.34));
+    const double force = log_uniform(engine, 1e-12, 1e12);
+    const double radius = law.contact_radius(force);
+    worst = std::max(worst, units_of_rounding(radius, law.c * pow(Exact(force), Exact(law.gamma))) / 3);
+    const Exact ratio = Exact(radius) / law.c;
+    const double allowed = (2 + static_cast<double>(Exact(abs(log(ratio))))) / law.gamma;
+    worst = std::max(worst, units_of_rounding(law.normal_force(radius), pow(ratio, 1 / Exact(law.gamma))) / allowed);
+  }
+  RecordProperty("worst_of_bound", std::to_string(worst));
+  EXPECT_LE(worst, 1);
 }
 
 TEST(PowerLaw, OutOfRangeParametersAreRefused) {
