@@ -29,13 +29,9 @@ friction::BoundedWrench friction_row(const Contact& contact, const friction::Law
     add(error_of_twist(law, contact.normal_force, moments, gradient.value, motion.twist));
   }
   if (turns && contact.radius_error > 0) {
-    const friction::Twist about_centre = moved_to(contact.centre, motion.twist);
-    const DiscMotion disc = std::visit(
-        [&](const auto& d) {
-          return DiscMotion{d.moments(), d.gradient(about_centre), d.hessian(about_centre), about_centre};
-        },
-        contact.patch);
-    add(error_of_radius(law, contact.normal_force, disc, contact.centre, contact.radius_error));
+    const auto disc =
+        std::visit([&](const auto& d) { return DiscMotion::of(d, contact.centre, motion.twist); }, contact.patch);
+    add(error_of_radius(law, contact.normal_force, disc, contact.radius_error));
   }
   return row;
 }

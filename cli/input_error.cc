@@ -36,9 +36,8 @@ WrenchError error_of_twist(const Law& law, double normal_force, const PressureMo
           normal_force * (dmu * std::fabs(gradient.m) + viscous * std::hypot(moments.x, moments.y))};
 }
 
-WrenchError error_of_radius(const Law& law, double normal_force, const DiscMotion& disc, const friction::Pole& centre,
-                            double delta) {
-  const auto& [moments, g, h, v] = disc;
+WrenchError error_of_radius(const Law& law, double normal_force, const DiscMotion& disc, double delta) {
+  const auto& [centre, v, moments, g, h] = disc;
   const double spin = std::fabs(v.w);
   const double mean_square_error = 2 * delta * v.w * v.w * moments.polar;
   const double mu = friction::coefficient(law, moments, v);

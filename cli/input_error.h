@@ -26,19 +26,25 @@ struct WrenchError {
 WrenchError error_of_twist(const friction::Law& law, double normal_force, const friction::PressureMoments& moments,
                            const friction::Wrench& gradient, const friction::Twist& v) noexcept;
 
-// For a disc about `centre` whose radius has the relative error `delta`; moments, gradient and Hessian of D are those of
-// the disc about its own centre, at `about_centre`.
+// v as seen from a point.
+friction::Twist moved_to(const friction::Pole& point, const friction::Twist& v) noexcept;
+
+// A disc about `centre` in motion: moments, gradient and Hessian of D about its own centre, where v is `about_centre`.
 struct DiscMotion {
+  template <class Disc>
+  static DiscMotion of(const Disc& disc, const friction::Pole& centre, const friction::Twist& v) {
+    const friction::Twist moved = moved_to(centre, v);
+    return {centre, moved, disc.moments(), disc.gradient(moved), disc.hessian(moved)};
+  }
+
+  friction::Pole centre;
+  friction::Twist about_centre;
   friction::PressureMoments moments;
   friction::Wrench gradient;
   friction::Hessian hessian;
-  friction::Twist about_centre;
 };
 
-WrenchError error_of_radius(const friction::Law& law, double normal_force, const DiscMotion& disc,
-                            const friction::Pole& centre, double delta);
-
-// v as seen from a point.
-friction::Twist moved_to(const friction::Pole& point, const friction::Twist& v) noexcept;
+// Where the radius of the disc has the relative error `delta`; v may not be 0.
+WrenchError error_of_radius(const friction::Law& law, double normal_force, const DiscMotion& disc, double delta);
 
 }  // namespace patchgrip::cli

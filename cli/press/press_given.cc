@@ -1,11 +1,14 @@
 #include <patchgrip/cli/press/press_given.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <type_traits>
 
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <patchgrip/contact/fingertip/power_law.h>
@@ -165,8 +168,13 @@ Pressed press_fingertip(const WinklerFingertip& tip, const PressScene& scene) {
     throw std::invalid_argument("contact_radius: the bed takes 'normal_force' or 'approach'");
   }
   if (load.kind == LoadKind::normal_force) {
-    const double deepest = tip.radius * (1 - 1e-9);
-    if (bed.normal_force(deepest) < load.value) throw std::invalid_argument("normal_force: more than the bed carries");
+    // p = c (1 - g) g falls where a spring keeps less than half its length: the force has a largest value.
+    const auto [deepest, minus_most] = boost::math::tools::brent_find_minima(
+        [&](double delta) { return -bed.normal_force(delta); }, 0.1 * tip.radius, (1 - 1e-12) * tip.radius, 30);
+    if (load.value > -minus_most) {
+      throw std::invalid_argument(
+          fmt::format("normal_force = {} is not allowed: the bed carries at most {} N", load.value, -minus_most));
+    }
     std::uintmax_t steps = 200;
     const auto [lo, hi] = boost::math::tools::toms748_solve(
         [&](double log_delta) { return std::log(bed.normal_force(std::exp(log_delta)) / load.value); },

@@ -168,7 +168,7 @@ DescribedShape read_shape(const TomlReader& body) {
   const auto kind = std::ranges::find_if(kinds, [&](const Kind& k) { return is_given(body, k.name); });
   if (kind == kinds.end()) {
     body.refuse_table(
-        "needs a shape: 'radius' (of a ball, or with 'concave = true' of a hollow), 'plane = true', 'radii', "
+        "needs 'radius' (of a ball, or with 'concave = true' of a hollow), 'plane = true', 'radii', "
         "'cylinder', 'stamp', 'mesh' or 'height_map'");
   }
   refuse_others(body, *kind, kind->name);

@@ -90,9 +90,9 @@ TEST_F(AccuracyFormat, RemarksAreNoFields) {
 }
 
 TEST_F(AccuracyFormat, ContactsOfOtherTablesAreNamedByTheirKind) {
-  const Outcome outcome = compare(R"({"entries": [{"id": "a", "name": "jkr"}, {"id": "b", "name": "jkr"}]})");
+  const Outcome outcome = compare(R"({"entries": [{"id": "a", "name": "jkrs"}, {"id": "b", "name": "jkrs"}]})");
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("Not covered: entries: 'jkr' (2 entries)"));
+  EXPECT_THAT(outcome.out, HasSubstr("Not covered: entries: 'jkrs' (2 entries)"));
 }
 
 TEST_F(AccuracyFormat, BadTablesAreRefusedAtTheirPlace) {

@@ -34,6 +34,12 @@ TEST_F(Accuracy, CommittedTableAgreesTo1e12) {
   EXPECT_THAT(outcome.out, HasSubstr("entries compared, 0 kinds beyond 1e-12"));
 }
 
+TEST_F(Accuracy, ContactTableIsCoveredAndAgreesTo1e12) {
+  const Outcome outcome = compare_file(std::string(PATCHGRIP_DATA_DIR) + "/reference/contact.json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("0 kinds beyond 1e-12, 0 kinds or fields not covered"));
+}
+
 TEST_F(Accuracy, GapsOfTheCommittedTableAreNamedAndFailUnlessAllowed) {
   const Outcome outcome = compare_file(committed());
   EXPECT_EQ(outcome.code, 1);

@@ -36,6 +36,10 @@ Wrench wrench_of(const Law& law, double radius, const Pole& centre, const Twist&
   return friction_wrench(law, normal_force, Placed{HertzDisc::of_radius(radius), centre.x, centre.y}, v).value;
 }
 
+DiscMotion moving(double radius, const Pole& centre, const Twist& v) {
+  return DiscMotion::of(HertzDisc::of_radius(radius), centre, v);
+}
+
 // `bound` holds for the change from `a` to `b` and is not idle: checked with errors far above rounding.
 void require_bound(const WrenchError& bound, const Wrench& a, const Wrench& b, double rounding_force,
                    double rounding_moment) {
@@ -54,7 +58,7 @@ RC_GTEST_PROP(InputError, ARadiusThatIsOffChangesTheWrenchByNoMore, ()) {
   const Wrench b = wrench_of(law, radius * (1 + delta), centre, v);
   const double force = std::hypot(a.fx, a.fy);
   const double arm = radius + std::hypot(centre.x, centre.y);
-  const WrenchError bound = error_of_radius(law, normal_force, radius, centre, v, 1.01 * delta);
+  const WrenchError bound = error_of_radius(law, normal_force, moving(radius, centre, v), 1.01 * delta);
   require_bound(bound, a, b, 1e-13 * force, 1e-13 * (std::fabs(a.m) + arm * force));
 }
 
@@ -63,11 +67,11 @@ TEST(InputError, OfTheRadiusIsReachedAtTheCentre) {
   const Law law = Law::coulomb(0.5);
   const Twist v{0, 0, 1};
   const double change = wrench_of(law, 1 + delta, {}, v).m - wrench_of(law, 1, {}, v).m;
-  EXPECT_NEAR(error_of_radius(law, normal_force, 1, {}, v, delta).moment, std::fabs(change), 1e-12);
+  EXPECT_NEAR(error_of_radius(law, normal_force, moving(1, {}, v), delta).moment, std::fabs(change), 1e-12);
 }
 
 TEST(InputError, OfTheRadiusDoesNotReachATranslation) {
-  const WrenchError error = error_of_radius(Law::coulomb(0.5), normal_force, 1, {2, 3}, {1, 1, 0}, 1e-6);
+  const WrenchError error = error_of_radius(Law::coulomb(0.5), normal_force, moving(1, {2, 3}, {1, 1, 0}), 1e-6);
   EXPECT_EQ(error.force, 0);
   EXPECT_EQ(error.moment, 0);
 }

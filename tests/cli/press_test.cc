@@ -114,7 +114,7 @@ TEST_P(CommittedScene, IsAnsweredWithErrorsAndATable) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Press, CommittedScene, ::testing::ValuesIn(committed_scenes()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& given) { return given.param; });
 
 TEST(Press, BallOnPlateIsTheHertzCircleOfTheLibrary) {
   const Pressed pressed = press(committed("rubber_ball"));
@@ -370,7 +370,7 @@ std::vector<Bad> bad_scenes() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Press, BadPressScene, ::testing::ValuesIn(bad_scenes()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& given) { return given.param.name; });
 
 }  // namespace
 }  // namespace patchgrip::cli
