@@ -21,8 +21,8 @@
 // Signs    pressure and force positive in compression; u_z positive into the half-space.
 // Error    each profile states its own (errors()), in units of 2^-53; a contact states what follows from them for the
 //          arguments it was made of. tests/contact/axisymmetric_test.cc.
-// Fails    p is infinite where the slope of f jumps (r = 0 of a cone, r = b of a flat end), and so is g' at a jump
-//          b > 0: both are integrable, and returned as +infinity. A bound of the error is infinite there, too; pressure_error
+// Fails    p is infinite where the slope of f jumps (r = 0 of a cone, r = b of a flat end), and so is g' at such b > 0:
+//          both are integrable, and returned as +infinity. A bound of the error is infinite there, too; pressure_error
 //          is no bound where the radius itself is a jump to within rounding.
 // Throws   std::invalid_argument, naming the parameter, from the factories alone; std::runtime_error, with the
 //          residual, where an inversion does not converge.

@@ -1,8 +1,9 @@
-// Cone with a flat end of radius b (a worn tip): f = 0 for r < b, s (r - b) beyond. Any piecewise linear profile is a sum
-// of such cones (point_profile.h).
+// Cone with a flat end of radius b (a worn tip): f = 0 for r < b, s (r - b) beyond. Any piecewise linear profile is a
+// sum of such cones (point_profile.h).
 //
-//     S = sqrt(a^2 - b^2), t = arccos(b/a):   delta = s a t,   F/E* = s (a^2 t + b S),   g' = s (arccos(b/x) + b / sqrt(x^2 - b^2))
-//     p/E* = (s/pi) [ int_M^a arccos(b/x) / sqrt(x^2 - r^2) dx + b int_M^a dx / sqrt((x^2-b^2)(x^2-r^2)) ],   M = max(r, b)
+//     delta = s a t,   F/E* = s (a^2 t + b S),   S = sqrt(a^2 - b^2),   t = arccos(b/a)
+//     g' = s (arccos(b/x) + b / sqrt(x^2 - b^2))
+//     p/E* = (s/pi) [int_M^a arccos(b/x) / sqrt(x^2 - r^2) dx + b int_M^a dx / sqrt((x^2-b^2)(x^2-r^2))],  M = max(r, b)
 //     u_z  = (2/pi) int_b^a arcsin(x/r) g'(x) dx,   r > a                                                (Ejike 1981)
 //
 // The second integral is elliptic (flat_end_circle.h). The first, by parts and with x = b / cos(v), is that of a
@@ -14,7 +15,7 @@
 //
 // Domain   s, b > 0, a > b.
 // Units    s [1], b, r, a [m]; the rest as in axisymmetric.h.
-// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 8 of F, 32 of p, 16 of u_z, 8 of
+// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 8 of F, 32 of p, 96 of u_z, 8 of
 //          the radius and of S; tests/contact/flat_end_cone_test.cc.
 // Fails    p(b), logarithmically, and g'(b) are +infinity.
 // Throws   std::invalid_argument outside the domain; std::runtime_error where the radius is not found.
@@ -95,7 +96,7 @@ class FlatEndCone {
   FlatEndCircle radius_of_force(double force) const;
 
   double max_radius() const noexcept { return std::numeric_limits<double>::infinity(); }
-  ProfileErrors errors() const noexcept { return {6, 8, 32, 16, 8}; }
+  ProfileErrors errors() const noexcept { return {6, 8, 32, 96, 8}; }
   double end_radius() const noexcept { return b_; }
   double slope() const noexcept { return slope_; }
 

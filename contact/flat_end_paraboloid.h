@@ -1,6 +1,7 @@
 // Paraboloid with a flat end of radius b (a worn ball): f = 0 for r < b, (r^2 - b^2) / (2 R) beyond.
 //
-//     S = sqrt(a^2 - b^2):   delta = a S / R,   F/E* = 2 S (2 a^2 + b^2) / (3 R),   g' = (2 x^2 - b^2) / (R sqrt(x^2 - b^2))
+//     delta = a S / R,   F/E* = 2 S (2 a^2 + b^2) / (3 R),   S = sqrt(a^2 - b^2)
+//     g' = (2 x^2 - b^2) / (R sqrt(x^2 - b^2))
 //     p/E* = (1/pi) int_max(r,b)^a g'(x) / sqrt(x^2 - r^2) dx                                            (Ejike 1981)
 //     u_z  = (2/pi) int_b^a arcsin(x/r) g'(x) dx,   r > a
 //
@@ -8,8 +9,8 @@
 //
 // Domain   R, b > 0, a > b.
 // Units    R, b, r, a [m]; the rest as in axisymmetric.h.
-// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 10 of F, 32 of p, 16 of u_z, 8 of
-//          the radius and of S; tests/contact/flat_end_paraboloid_test.cc.
+// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 10 of F, 32 of p, 96 of u_z, 8
+//          of the radius and of S; tests/contact/flat_end_paraboloid_test.cc.
 // Fails    p(b), logarithmically, and g'(b) are +infinity.
 // Throws   std::invalid_argument outside the domain.
 #pragma once
@@ -84,7 +85,7 @@ class FlatEndParaboloid {
   FlatEndCircle radius_of_force(double force) const;
 
   double max_radius() const noexcept { return std::numeric_limits<double>::infinity(); }
-  ProfileErrors errors() const noexcept { return {6, 10, 32, 16, 8}; }
+  ProfileErrors errors() const noexcept { return {6, 10, 32, 96, 8}; }
   double end_radius() const noexcept { return b_; }
   double curvature_radius() const noexcept { return R_; }
 

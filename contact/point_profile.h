@@ -75,7 +75,7 @@ class PointProfile {
 
   ProfileErrors errors() const noexcept {
     const double n = static_cast<double>(nodes_.size());
-    return {6 + n, 8 + n, 32 + n, 16 + n, 12 + n};
+    return {6 + n, 8 + n, 32 + n, 96 + n, 12 + n};
   }
 
  private:

