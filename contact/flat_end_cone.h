@@ -3,7 +3,7 @@
 //
 //     delta = s a t,   F/E* = s (a^2 t + b S),   S = sqrt(a^2 - b^2),   t = arccos(b/a)
 //     g' = s (arccos(b/x) + b / sqrt(x^2 - b^2))
-//     p/E* = (s/pi) [int_M^a arccos(b/x) / sqrt(x^2 - r^2) dx + b int_M^a dx / sqrt((x^2-b^2)(x^2-r^2))],  M = max(r, b)
+//     p/E* = (s/pi) [int_M^a arccos(b/x) / sqrt(x^2 - r^2) dx + b int_M^a dx / sqrt((x^2-b^2)(x^2-r^2))], M = max(r, b)
 //     u_z  = (2/pi) int_b^a arcsin(x/r) g'(x) dx,   r > a                                                (Ejike 1981)
 //
 // The second integral is elliptic (flat_end_circle.h). The first, by parts and with x = b / cos(v), is that of a
