@@ -5,9 +5,9 @@
 //
 // Domain   at an end no worse than the inverse of a root.
 // Error    the step is halved, which doubles the digits, until two results agree in three quarters of the digits:
-//          mostly below 8, at most 64 units of rounding of int |f|, for f accurate to rounding. The bound that comes along
-//          is the last difference and 16 such units. For what is not smooth inside two results never agree so well; then it is
-//          16 times the last difference, a fair guess and no proof.
+//          mostly below 8, at most 64 units of rounding of int |f|, for f accurate to rounding. The bound that comes
+//          along is the last difference and 16 such units. For what is not smooth inside two results never agree so
+//          well; then it is 16 times the last difference, a fair guess and no proof.
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,7 @@
 //     u_z = (F / (pi E* r)) int_0^1 (1 - s^2)^n (1 - s^2 a^2/r^2)^(-1/2) ds / int_0^1 (1 - s^2)^n ds   outside
 //
 // R is the radius of curvature of the stamp at its tip, f''(0) = 1/R. The first sum for f loses 2^n to cancellation;
-// the second, a trapezoidal rule that is exact for this integrand, has only positive terms. n = 1: Hertz (paraboloid.h).
+// the second, a trapezoidal rule that is exact here, has only positive terms. n = 1: Hertz (paraboloid.h).
 //
 // Domain   1 <= n <= 1000; a, R, E* > 0.
 // Units    a, R, r, f, delta, u_z [m]; p [Pa], F [N].
