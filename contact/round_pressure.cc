@@ -24,14 +24,14 @@ RoundPressure RoundPressure::of(double contact_radius, double contact_modulus,
           std::move(pressure)};
 }
 
-BoundedValue RoundPressure::force() const {
+Estimate RoundPressure::force() const {
   const auto f = [this](double r, double left) { return r * checked(pressure_(r, left)); };
   const auto result = bounded_integral(f, 0., radius_);
   return {2 * std::numbers::pi * result.value, 2 * std::numbers::pi * result.error};
 }
 
 // t^2 = x^2 + z^2 removes the root; a - t = (Z - z)(Z + z) / (a + t).
-BoundedValue RoundPressure::density(double x, double before_rim) const {
+Estimate RoundPressure::density(double x, double before_rim) const {
   const double end = std::sqrt(before_rim) * std::sqrt(radius_ + x);
   const auto f = [&](double z, double left) {
     const double t = std::hypot(x, z);
@@ -42,12 +42,12 @@ BoundedValue RoundPressure::density(double x, double before_rim) const {
 }
 
 // x = r sin t.
-BoundedValue RoundPressure::displacement(double r) const {
+Estimate RoundPressure::displacement(double r) const {
   require_non_negative("r", r);
   double inner = 0;
   const auto density_at = [&](double x, double before_rim) {
     if (!(before_rim > 0)) return 0.;
-    const BoundedValue G = density(x, before_rim);
+    const Estimate G = density(x, before_rim);
     inner = std::max(inner, G.error);
     return G.value;
   };
@@ -70,10 +70,10 @@ BoundedValue RoundPressure::displacement(double r) const {
   return {scale * result.value, scale * (result.error + last * inner)};
 }
 
-BoundedValue RoundPressure::height(double r) const {
+Estimate RoundPressure::height(double r) const {
   require_in("r", r, 0, radius_);
-  const BoundedValue middle = displacement(0);
-  const BoundedValue here = displacement(r);
+  const Estimate middle = displacement(0);
+  const Estimate here = displacement(r);
   return {middle.value - here.value, middle.error + here.error + 0x1p-53 * middle.value};
 }
 

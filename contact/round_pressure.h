@@ -16,12 +16,9 @@
 
 #include <functional>
 
-namespace patchgrip::contact {
+#include <patchgrip/contact/estimate.h>
 
-struct BoundedValue {
-  double value;
-  double error;
-};
+namespace patchgrip::contact {
 
 class RoundPressure {
  public:
@@ -29,15 +26,15 @@ class RoundPressure {
   static RoundPressure of(double contact_radius, double contact_modulus,
                           std::function<double(double, double)> pressure);
 
-  BoundedValue force() const;
-  BoundedValue displacement(double r) const;  // u_z, every r
-  BoundedValue height(double r) const;        // f, r <= a
+  Estimate force() const;
+  Estimate displacement(double r) const;  // u_z, every r
+  Estimate height(double r) const;        // f, r <= a
 
  private:
   RoundPressure(double radius, double modulus, std::function<double(double, double)> pressure)
       : radius_(radius), modulus_(modulus), pressure_(std::move(pressure)) {}
 
-  BoundedValue density(double x, double before_rim) const;  // G
+  Estimate density(double x, double before_rim) const;  // G
 
   double radius_;
   double modulus_;

@@ -22,7 +22,6 @@ namespace patchgrip::cli {
 namespace {
 
 using contact::ContactCreep;
-using contact::Estimate;
 using contact::ViscoelasticMaterial;
 
 constexpr double unit = 0x1p-53;
@@ -66,7 +65,7 @@ class UnderForce {
   Estimate pressure(double r, double t) const { return press_.pressure(r, t); }
 
   // The surface outside is the elastic one while the contact grows: no spring there was ever pressed.
-  Bounded displacement(double r, double t) const {
+  Estimate displacement(double r, double t) const {
     if (t > press_.grows_until()) {
       throw std::invalid_argument(fmt::format(
           "profile.times: after {} s the contact shrinks, and the surface outside under a given force is not "
@@ -194,7 +193,7 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
         InterruptGuard::check();
         const double r = distance[i];
         const Estimate p = press.pressure(r, t);
-        const Bounded u = press.displacement(r, t);
+        const Estimate u = press.displacement(r, t);
         result.table.rows.push_back({t, r, p.value, u.value, p.error, u.error});
       }
     }

@@ -18,7 +18,6 @@
 namespace patchgrip::cli {
 namespace {
 
-using contact::Estimate;
 using contact::Grid;
 using contact::PressedHalfSpace;
 

@@ -54,7 +54,7 @@ Table surface_table(const PressScene& scene, const Pressed& pressed) {
     const SurfacePoint s = pressed.surface(x, y);
     auto& row = table.rows.emplace_back(std::vector{x, y, s.pressure.value, s.pressure.error});
     if (pressed.knows_displacement) {
-      for (const Bounded& b : {s.displacement, s.gap}) row.insert(row.end(), {b.value, b.error});
+      for (const Estimate& b : {s.displacement, s.gap}) row.insert(row.end(), {b.value, b.error});
     }
     for (const PressureBeside& law : pressed.beside) row.push_back(law.pressure(x, y));
   }

@@ -9,18 +9,16 @@
 #include <patchgrip/cli/press/answer.h>
 #include <patchgrip/cli/press/press_scene.h>
 #include <patchgrip/cli/press/table.h>
+#include <patchgrip/contact/estimate.h>
 
 namespace patchgrip::cli {
 
-struct Bounded {
-  double value;
-  double error;
-};
+using contact::Estimate;
 
 struct SurfacePoint {
-  Bounded pressure;        // [Pa]
-  Bounded displacement{};  // u_z [m]
-  Bounded gap{};           // between the surfaces [m]; 0 in the contact
+  Estimate pressure;        // [Pa]
+  Estimate displacement{};  // u_z [m]
+  Estimate gap{};           // between the surfaces [m]; 0 in the contact
 };
 
 struct PressureBeside {

@@ -8,12 +8,9 @@
 #include <cmath>
 #include <vector>
 
-namespace patchgrip::contact {
+#include <patchgrip/contact/estimate.h>
 
-struct Estimate {
-  double value;
-  double error;  // bound of |value - exact|, estimated by refinement
-};
+namespace patchgrip::contact {
 
 // A stretch lo..hi of a coordinate z; halves of it keep the tag.
 struct Panel {

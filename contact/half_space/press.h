@@ -25,6 +25,7 @@
 #include <span>
 #include <vector>
 
+#include <patchgrip/contact/estimate.h>
 #include <patchgrip/contact/half_space/convolution.h>
 #include <patchgrip/contact/half_space/grid.h>
 #include <patchgrip/contact/half_space/solver.h>
@@ -47,11 +48,6 @@ struct PressSettings {
   SolverObserver observer;   // may be empty
 
   void check() const;  // throws std::invalid_argument
-};
-
-struct Estimate {
-  double value;
-  double error;  // estimated, >= 0, in the unit of the value
 };
 
 struct ContactZone {

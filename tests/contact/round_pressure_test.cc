@@ -31,7 +31,7 @@ using patchgrip::testing::uniform;
 
 auto refused(const std::string& message) { return ::testing::ThrowsMessage<std::invalid_argument>(message); }
 
-void expect_bounded(const BoundedValue& result, double truth) {
+void expect_bounded(const Estimate& result, double truth) {
   EXPECT_LE(std::abs(result.value - truth), result.error + 4e-15 * std::abs(truth));
   EXPECT_LE(result.error, 1e-11 * std::abs(truth));
 }
@@ -55,7 +55,7 @@ TEST(RoundPressure, FindsTheFlatPunch) {
   expect_bounded(given.force(), punch.force);
   for (const double r : points) expect_bounded(given.displacement(r), punch.displacement(r));
   for (const double r : {0.3, 0.9}) {
-    const BoundedValue f = given.height(r);
+    const Estimate f = given.height(r);
     EXPECT_LE(std::abs(f.value), f.error);
   }
 }
@@ -66,11 +66,11 @@ TEST(RoundPressure, UndoesTheForwardProblem) {
     const auto given = RoundPressure::of(a, 1, [&](double r, double) { return r < a ? profile.pressure(r, a) : 0; });
     expect_bounded(given.force(), profile.force(a));
     for (const double rho : {0.1, 0.6, 1.3, 5.}) {
-      const BoundedValue u = given.displacement(rho * a);
+      const Estimate u = given.displacement(rho * a);
       // The profile knows r, not a - r: its rounding next to the rim is not seen.
       EXPECT_NEAR(u.value, profile.displacement(rho * a, a), u.error + 1e-12 * profile.approach(a));
     }
-    const BoundedValue f = given.height(0.6 * a);
+    const Estimate f = given.height(0.6 * a);
     EXPECT_NEAR(f.value, profile.height(0.6 * a), f.error + 2e-12 * profile.approach(a));
   };
   check(Cone::of_slope(0.4), 0.7);
@@ -96,7 +96,7 @@ TEST(RoundPressure, FarAwayIsAPointLoad) {
 // A jump inside is beyond the rule: the bound grows by orders, and still holds.
 TEST(RoundPressure, JumpInsideIsNoticed) {
   const auto ring = RoundPressure::of(1, 1, [](double r, double) { return r < 0.37 ? 0. : 1.; });
-  const BoundedValue F = ring.force();
+  const Estimate F = ring.force();
   EXPECT_GT(F.error, 1e-9);
   EXPECT_LE(std::abs(F.value - std::numbers::pi * (1 - 0.37 * 0.37)), F.error);
 }
