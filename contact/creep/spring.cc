@@ -25,6 +25,19 @@ struct Course {
     return sum;
   }
 
+  double fall(double h) const {  // -f'
+    double sum = -slope;
+    for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * rates[k] * std::exp(-rates[k] * h);
+    return sum;
+  }
+
+  // By more than the rounding of the sum: a spring that has just changed starts at 0.
+  bool is_below_zero(double h) const {
+    double size = start + std::fabs(slope * h);
+    for (std::size_t k = 0; k < weights.size(); ++k) size -= std::fabs(weights[k]) * std::expm1(-rates[k] * h);
+    return (*this)(h) < -8 * 0x1p-53 * size;
+  }
+
   double falls_below_zero(double end) const {
     bool rises = slope >= 0, falls = slope <= 0;
     double least = start + std::fmin(0, slope * end);
@@ -37,9 +50,13 @@ struct Course {
     if (falls) return (*this)(end) < 0 ? falling_root(*this, 0, end) : never;
     double before = 0;
     for (int k = 0; k < 28; ++k) {
-      // 2^-20 .. 1/8, then eighths.
-      const double h = end * (k < 20 ? std::scalbn(1., k - 21) : (k - 19) * 0.125);
-      if ((*this)(h) < 0) return falling_root(*this, before, h);
+      // 2^-23 .. 1/16, then eighths.
+      const double h = end * (k < 20 ? std::scalbn(1., k - 23) : (k - 19) * 0.125);
+      if (is_below_zero(h)) return falling_root(*this, before, h);
+      if (fall(before) > 0 && fall(h) < 0) {
+        const double least_at = falling_root([&](double at) { return fall(at); }, before, h);
+        if (is_below_zero(least_at)) return falling_root(*this, before, least_at);
+      }
       before = h;
     }
     return never;
@@ -119,8 +136,10 @@ void SpringLaw::advance(Spring& spring, std::span<double> relaxing, double d, do
   double left = duration;
   bool just_changed = false;
   for (int change = 0; change < 64; ++change) {
+    // Where the stamp leaves along with the surface, rounding alone would change the spring to and fro.
+    const double stay = just_changed ? std::scalbn(left, change - 60) : 0;
     if (spring.is_touching) {
-      const double h = lets_go(spring, relaxing, rate, left, just_changed);
+      const double h = std::fmax(stay, lets_go(spring, relaxing, rate, left, just_changed));
       press(spring, relaxing, rate, std::fmin(h, left));
       if (!(h < left)) {
         spring.depth = end;
@@ -131,7 +150,7 @@ void SpringLaw::advance(Spring& spring, std::span<double> relaxing, double d, do
       spring.is_touching = false;
     } else {
       if (!spring.was_touched && end <= 0 && d <= 0) return;
-      const double h = is_met(spring, relaxing, d, rate, left);
+      const double h = std::fmax(stay, is_met(spring, relaxing, d, rate, left));
       recover(spring, relaxing, std::fmin(h, left));
       if (!(h < left)) return;
       d += rate * h;

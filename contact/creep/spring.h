@@ -15,8 +15,9 @@
 // Units    d, u [m], q [Pa m], t [s].
 // Error    a few units of rounding (2^-53) of M_0 |u| a step; times of change to the last digit;
 //          tests/contact/cycles_test.cc.
-// Fails    where q neither falls nor rises all through a step, its zeros are looked for at 28 times of the step: a dip
-//          between two of them is not seen.
+// Fails    where q neither falls nor rises all through a step, its least values are looked for between 28 times of the
+//          step: of two dips between neighbours one may not be seen. A spring that has changed k times in a step stays as it is for
+//          2^(k-60) of the rest at least.
 // Throws   std::runtime_error where a spring changes more than 64 times in a step.
 #pragma once
 

@@ -212,11 +212,11 @@ TEST(Series, AreRoundedAsStated) {
     const auto exact_compliance = compliance_as<Exact>(compliance);
     const double t = log_uniform(engine, 1e-7, 1e7);
     if (exact_modulus(t) > Exact(1e-290)) {
-      // exp(-x) carries the rounding of x: x units.
+      // exp(-x) carries the rounding of x: x units of each mode's share.
       double steepness = 0;
       for (const auto& mode : modulus.modes()) {
         const double x = t / mode.time;
-        steepness = std::max(steepness, x * mode.strength * std::exp(-x) / modulus(t));
+        steepness += x * mode.strength * std::exp(-x) / modulus(t);
       }
       modulus_excess = std::max(modulus_excess, units_of_rounding(modulus(t), exact_modulus(t)) - half - steepness);
     }
