@@ -36,6 +36,7 @@ namespace {
 using namespace patchgrip;
 
 constexpr int done = 0;
+constexpr int unanswered = 1;
 constexpr int bad_input = 2;
 constexpr int by_signal = 128;
 
@@ -198,6 +199,9 @@ int main(int argc, char** argv) {
     return by_signal + stop.signal;
   } catch (const cli::ClosedPipe&) {
     return bad_input;
+  } catch (const cli::Unanswered& error) {
+    std::cerr << error.what() << '\n';
+    return unanswered;
   } catch (const std::bad_alloc&) {
     std::cerr << "patchgrip: out of memory\n";
     return bad_input;

@@ -13,7 +13,7 @@ def main():
     axes.plot(ratio, table["eccentricity"], color=BLUE)
     axes.plot(ratio, table["semi_axis_b_m"] / table["semi_axis_a_m"], color=ORANGE)
     axes.text(0.25, 0.93, "$e$", color=BLUE)
-    axes.text(0.25, 0.45, "$b / a$", color=ORANGE)
+    axes.text(0.22, 0.45, "$b / a$", color=ORANGE, ha="right")
     axes.set_xlabel("$R_2 / R_1$ [-],  $R_1 \\geq R_2$")
     axes.set_ylabel("[-]")
     axes.set_xlim(0, 1)

@@ -24,12 +24,12 @@ def main():
     axes.plot(1e3 * table["dmt_contact_radius_m"], 1e3 * table["dmt_normal_force_N"], color=ORANGE, linewidth=1)
     axes.plot(1e3 * table["hertz_contact_radius_m"], 1e3 * table["hertz_normal_force_N"], color=BLACK, linewidth=1)
     for (x, y), text, offset, side in ((rest, "no load (A)", (8, -9), "left"), (pull_off, "pull-off\nunder load (B)", (4, -22), "left"),
-                                       (held, "pull-off held", (-3, -14), "right")):
+                                       (held, "pull-off\nheld", (-4, -22), "right")):
         axes.plot(x, y, "o", color=RED, markersize=4)
         axes.annotate(text, (x, y), xytext=offset, textcoords="offset points", color=RED, ha=side)
     axes.set_xlim(0, 1.8)
     axes.set_ylim(-8, 14)
-    axes.text(1.28, 12, "Hertz", color=BLACK, ha="right")
+    axes.text(1.03, 11, "Hertz", color=BLACK, ha="right")
     axes.text(1.74, 7.5, "JKR", color=BLUE, ha="right")
     axes.text(1.45, 2.2, "DMT", color=ORANGE)
     axes.set_xlabel("contact radius $a_K$ [mm]")

@@ -17,14 +17,15 @@ def main():
         # (4.13a) as printed lacks a factor n in its peak.
         if n > 1:
             pressures.plot(r, p / (n * p[0]), color=colour, linestyle="--", linewidth=1)
-    pressures.plot([], [], color=GREY, linestyle="--", linewidth=1, label="peak as printed (4.13a)")
+    pressures.plot([], [], color=GREY, linestyle="--", linewidth=1, label="as printed")
     pressures.set_ylabel("pressure $p / p_0$ [-]")
     shapes.set_ylabel("height of the stamp $f R / a_K^2$ [-]")
     for axes in (pressures, shapes):
         axes.set_xlabel("$r / a_K$ [-]")
         axes.set_xlim(0, 1)
         axes.set_ylim(0)
-        axes.legend()
+    pressures.legend(loc="upper right", fontsize=7)
+    shapes.legend(loc="upper left")
     style.save(figure, options.output)
 
 

@@ -26,17 +26,19 @@ def main():
         height = u[0] - u
         if largest is None:
             largest = height[-1], p.max()
-        shapes.plot(rho, height / largest[0], color=colour, label=f"$r^{{{2 * n}}}$")
-        pressures.plot(rho, p / largest[1], color=colour, label=f"$r^{{{2 * n}}}$")
-        pressures.plot(rho, p / largest[1] * printed(n, rho), color=colour, linestyle="--", linewidth=1)
+        shapes.semilogy(rho[1:], height[1:] / largest[0], color=colour, label=f"$r^{{{2 * n}}}$")
+        pressures.semilogy(rho[:-1], p[:-1] / largest[1], color=colour, label=f"$r^{{{2 * n}}}$")
+        pressures.semilogy(rho[1:-1], (p / largest[1] * printed(n, rho))[1:-1], color=colour, linestyle="--", linewidth=1)
     pressures.plot([], [], color=GREY, linestyle="--", linewidth=1, label="as printed (4.14b)")
     shapes.set_ylabel("height over that of $r^2$ at the rim [-]")
     pressures.set_ylabel("pressure over the peak of $r^2$ [-]")
     for axes in (shapes, pressures):
         axes.set_xlabel("$r / a_K$ [-],  $a_K = R / 2$")
         axes.set_xlim(0, 1)
-        axes.set_ylim(0)
-        axes.legend()
+    shapes.set_ylim(1e-6, 1)
+    pressures.set_ylim(1e-5, 1.5)
+    shapes.legend(loc="lower right")
+    pressures.legend(loc="lower right", fontsize=7, ncols=2)
     style.save(figure, options.output)
 
 

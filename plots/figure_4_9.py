@@ -21,9 +21,9 @@ def main():
     approaches.plot(t, printed, color=ORANGE, linestyle="--", linewidth=1, label="(4.72) as printed,\n$\\delta(0) = 0$")
     approaches.set_xlabel("time [s]")
     approaches.set_ylabel(r"approach $\delta$ [mm]")
-    approaches.set_ylim(0)
     approaches.set_xlim(0, t[-1])
-    approaches.legend(loc="lower right")
+    approaches.set_ylim(0, 27)
+    approaches.legend(loc="upper left", fontsize=7)
     for time, colour in zip(np.unique(surface["t_s"]), (BLUE, GREEN, ORANGE, BLACK)):
         row = surface["t_s"] == time
         r = 1e3 * surface["x_m"][row]

@@ -55,10 +55,12 @@ void run_press(const PressFiles& files, const MaterialLibrary& materials) {
   const Written result = [&] {
     try {
       return written(files, scene);
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::logic_error& error) {  // what the library refuses
       throw SceneError(files.scene, 0, error.what());
     } catch (const std::range_error& error) {
       throw SceneError(files.scene, 0, error.what());
+    } catch (const std::runtime_error& error) {
+      throw Unanswered(printable(files.scene, std::string::npos) + ": " + error.what());
     }
   }();
   std::optional<OutputFile> table;

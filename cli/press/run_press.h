@@ -1,11 +1,17 @@
 // `patchgrip press SCENE`: the answer as JSON and, if asked for, a table as CSV.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include <patchgrip/cli/scene/materials.h>
 
 namespace patchgrip::cli {
+
+// The scene is well and good, but its question was not answered: something does not converge.
+struct Unanswered : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 struct PressFiles {
   std::string scene;
@@ -13,7 +19,7 @@ struct PressFiles {
   std::string table;         // CSV; empty for none
 };
 
-// Throws SceneError, OutputError and alike; nothing is written unless all of it can be.
+// Throws SceneError, Unanswered, OutputError and alike; nothing is written unless all of it can be.
 void run_press(const PressFiles& files, const MaterialLibrary& materials);
 
 }  // namespace patchgrip::cli

@@ -102,7 +102,7 @@ TEST_F(Program, PrintsItsVersion) {
 }
 
 TEST_F(Program, HelpsWithEverySubcommand) {
-  for (const auto* const arguments : {"--help", "tabulate --help", "accuracy --help", "-h"}) {
+  for (const auto* const arguments : {"--help", "tabulate --help", "press --help", "accuracy --help", "-h"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.code, 0) << arguments;
     EXPECT_THAT(result.out, HasSubstr("Usage: patchgrip")) << arguments;
@@ -112,10 +112,10 @@ TEST_F(Program, HelpsWithEverySubcommand) {
 
 TEST_F(Program, RefusesUnknownArgumentsWithCode2) {
   for (const auto* const arguments :
-       {"", "tabulat x", "--hepl", "tabulate", "tabulate scenes/disc.toml extra", "accuracy",
-        "tabulate scenes/disc.toml --output", "tabulate --no-such-option scenes/disc.toml",
-        "accuracy t.json --tolerance nan", "accuracy t.json --tolerance -1", "accuracy t.json --tolerance 1e999",
-        "accuracy t.json --tolerance 1x"}) {
+       {"", "tabulat x", "--hepl", "tabulate", "tabulate scenes/disc.toml extra", "accuracy", "press",
+        "press scenes/disc.toml --tabel x", "tabulate scenes/disc.toml --output",
+        "tabulate --no-such-option scenes/disc.toml", "accuracy t.json --tolerance nan",
+        "accuracy t.json --tolerance -1", "accuracy t.json --tolerance 1e999", "accuracy t.json --tolerance 1x"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.code, 2) << arguments;
     EXPECT_THAT(result.err, Not(IsEmpty())) << arguments;
@@ -153,6 +153,34 @@ TEST_F(Program, RefusesABadSceneWithCode2AndTouchesNoFile) {
   EXPECT_EQ(result.code, 2);
   EXPECT_EQ(result.err, "scenes/bad.toml:3: contact.radius = -0.005: a radius in m, from 1e-60 to 1e+60\n");
   EXPECT_EQ(content(folder_ / "table.csv"), "old");
+}
+
+TEST_F(Program, PressWritesAnswerAndTable) {
+  const std::string scene = scene_text("ball", test::good_bodies);
+  const Result result = run("press " + scene + " --table surface.csv");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.err, IsEmpty());
+  EXPECT_THAT(result.out, HasSubstr("\"law\": \"hertz\""));
+  EXPECT_THAT(content(folder_ / "surface.csv"), HasSubstr("\nx_m,y_m,pressure_Pa,pressure_error_Pa,"));
+  EXPECT_EQ(run("press " + scene + " -o answer.json").code, 0);
+  EXPECT_EQ(content(folder_ / "answer.json"), result.out);
+}
+
+TEST_F(Program, PressRefusesABadSceneWithCode2AndTouchesNoFile) {
+  std::ofstream(folder_ / "answer.json") << "old";
+  std::ofstream(folder_ / "surface.csv") << "old";
+  const std::string scene =
+      scene_text("bad", test::with(test::good_bodies, "normal_force = 5.0", "normal_force = 1e999"));
+  const std::string saddle =
+      scene_text("saddle", test::with(test::good_bodies, "radius = 0.01", "radii = [0.01, -0.02]"));
+  for (const auto& bad : {scene, saddle, std::string("scenes/disc.toml"), std::string("scenes/no.toml")}) {
+    const Result result = run("press " + bad + " -o answer.json --table surface.csv");
+    EXPECT_EQ(result.code, 2) << bad;
+    EXPECT_THAT(result.err, HasSubstr(".toml")) << bad;
+  }
+  EXPECT_EQ(run("press scenes/disc.toml -o same --table same").code, 2);
+  EXPECT_EQ(content(folder_ / "answer.json"), "old");
+  EXPECT_EQ(content(folder_ / "surface.csv"), "old");
 }
 
 TEST_F(Program, DoesNotReplaceItsScene) {
