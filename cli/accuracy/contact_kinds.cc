@@ -9,8 +9,7 @@ namespace patchgrip::cli {
 namespace {
 
 std::vector<ContactKind> collected() {
-  const std::array parts{adhesion_kinds(), creep_kinds(),    half_space_kinds(),
-                         hertz_kinds(),    material_kinds(), round_kinds()};
+  const std::array parts{adhesion_kinds(), creep_kinds(), half_space_kinds(), hertz_kinds(), round_kinds()};
   std::vector<ContactKind> kinds;
   for (const auto& part : parts) kinds.insert(kinds.end(), part.begin(), part.end());
   return kinds;

@@ -62,7 +62,6 @@ std::span<const ContactKind> adhesion_kinds();
 std::span<const ContactKind> creep_kinds();
 std::span<const ContactKind> half_space_kinds();
 std::span<const ContactKind> hertz_kinds();
-std::span<const ContactKind> material_kinds();
 std::span<const ContactKind> round_kinds();
 
 }  // namespace patchgrip::cli

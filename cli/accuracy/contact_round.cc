@@ -143,6 +143,12 @@ std::vector<Output> hertz_sphere_field(const EntryInputs& in) {
           {"stiffness", zone.stiffness()}};
 }
 
+std::vector<Output> hertz_sphere_inverse(const EntryInputs& in) {
+  const auto zone = under_force(contact::Paraboloid::of_radius(in["R"]), in);
+  return {
+      {"a_K", zone.radius()}, {"delta", zone.approach()}, {"p0", zone.pressure(0)}, {"stiffness", zone.stiffness()}};
+}
+
 std::vector<Output> cone_inverse(const EntryInputs& in) {
   const auto zone = under_force(contact::Cone::of_slope(in["slope"]), in);
   return {{"a_K", zone.radius()},
@@ -189,7 +195,7 @@ std::vector<Output> axis_stress(const EntryInputs& in) {
           {"max_tau", stress.max_shear()}};
 }
 
-constexpr std::array<ContactKind, 17> kinds{{{"rot_sym_pressure_413", rotational_pressure},
+constexpr std::array<ContactKind, 18> kinds{{{"rot_sym_pressure_413", rotational_pressure},
                                              {"elliptic_pressure", elliptic_pressure},
                                              {"steuermann_414", steuermann},
                                              {"power_profile_sneddon", power_profile},
@@ -201,6 +207,7 @@ constexpr std::array<ContactKind, 17> kinds{{{"rot_sym_pressure_413", rotational
                                              {"flat_punch_field", flat_punch_field},
                                              {"hertz_sphere", hertz_sphere},
                                              {"hertz_sphere_field", hertz_sphere_field},
+                                             {"hertz_sphere_inverse", hertz_sphere_inverse},
                                              {"cone_inverse", cone_inverse},
                                              {"flat_end_paraboloid", flat_end_paraboloid},
                                              {"flat_end_cone", flat_end_cone},
