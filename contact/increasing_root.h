@@ -7,7 +7,7 @@
 //
 // Error    x is within a unit of rounding of a point where the computed y crosses the target.
 // Throws   std::runtime_error, naming the residual, when 300 steps do not suffice (y not increasing, or target out of
-//          its range).
+//          its range); a target beyond y(max) gives max: refuse it before.
 #pragma once
 
 #include <cmath>

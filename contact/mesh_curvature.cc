@@ -1,4 +1,5 @@
 #include <patchgrip/contact/mesh_curvature.h>
+#include <patchgrip/contact/require.h>
 
 #define CGAL_EIGEN3_ENABLED
 #include <algorithm>
@@ -117,11 +118,22 @@ Point foot(const Jets::Monge_form& form, const Point& p) {
          height(form, x, y) * form.normal_direction();
 }
 
+double longest_side(const TriangleMesh& mesh, std::size_t triangle) {
+  double longest = 0;
+  const auto& corners = mesh.triangles()[triangle];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector &p = mesh.vertices()[corners[k]], &q = mesh.vertices()[corners[(k + 1) % 3]];
+    longest = std::max(longest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+  }
+  return longest;
+}
+
 }  // namespace
 
 MeshCurvature curvature_near(const TriangleMesh& mesh, const Vector& point) {
   const auto closest = mesh.closest_to(point);
   const Vector normal = mesh.normal(closest.triangle);
+  require_in("distance of the point to the mesh", closest.distance, 0, longest_side(mesh, closest.triangle));
   const Direction inwards(-normal[0], -normal[1], -normal[2]);
   Neighbourhood around(mesh, mesh.triangles()[closest.triangle], point_of(closest.point));
   if (!around.grow_to(fewest)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -67,6 +68,9 @@ TriangleMesh TriangleMesh::read(const std::string& file) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (polygon[k] >= points.size()) refuse(file, "names a vertex that it does not have");
       const Point& p = points[polygon[k]];
+      if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z())) {
+        refuse(file, "has a vertex that is not finite");
+      }
       const auto [place, added] = index.try_emplace(Vector{p.x(), p.y(), p.z()}, vertices.size());
       if (added) vertices.push_back(place->first);
       triangle[k] = place->second;

@@ -1,6 +1,7 @@
 #include <patchgrip/contact/point_profile.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <patchgrip/contact/creep/numbered.h>
 #include <patchgrip/contact/increasing_root.h>
@@ -11,7 +12,9 @@ namespace {
 
 // The segment between two nodes that holds the target, then its root.
 template <class Value, class Slope>
-double root_between(const std::vector<double>& nodes, const Value& value, const Slope& slope, double target) {
+double root_between(const std::vector<double>& nodes, const Value& value, const Slope& slope, const char* name,
+                    double target) {
+  require_in(name, target, 0, value(nodes.back()));
   const auto hi = std::partition_point(nodes.begin(), nodes.end(), [&](double r) { return value(r) < target; });
   if (hi == nodes.end()) return nodes.back();
   const double lo = hi == nodes.begin() ? 0 : *(hi - 1);
@@ -35,7 +38,11 @@ PointProfile PointProfile::through(std::span<const ProfilePoint> points) {
     }
     const long double rise = static_cast<long double>(points[k].height) - points[k - 1].height;
     const long double slope = rise / (static_cast<long double>(points[k].radius) - points[k - 1].radius);
-    const auto kink = static_cast<double>(slope - before);
+    // Two slopes that differ by the rounding of the points are one.
+    const double width = points[k].radius - points[k - 1].radius;
+    const double rounding = 4 * 0x1p-53 * (points[k].height + static_cast<double>(slope) * points[k].radius) / width;
+    const auto difference = static_cast<double>(slope - before);
+    const double kink = k > 1 && std::fabs(difference) <= rounding ? 0 : difference;
     if (k == 1 && slope > 0) {
       profile.tip_slope_ = static_cast<double>(slope);
     } else if (kink > 0) {
@@ -53,12 +60,14 @@ PointProfile PointProfile::through(std::span<const ProfilePoint> points) {
 
 double PointProfile::radius_of_approach(double approach) const {
   return root_between(
-      nodes_, [&](double a) { return this->approach(a); }, [&](double a) { return approach_slope(a); }, approach);
+      nodes_, [&](double a) { return this->approach(a); }, [&](double a) { return approach_slope(a); }, "approach",
+      approach);
 }
 
 double PointProfile::radius_of_force(double force) const {
   return root_between(
-      nodes_, [&](double a) { return this->force(a); }, [&](double a) { return 2 * a * approach_slope(a); }, force);
+      nodes_, [&](double a) { return this->force(a); }, [&](double a) { return 2 * a * approach_slope(a); },
+      "force / modulus", force);
 }
 
 }  // namespace patchgrip::contact

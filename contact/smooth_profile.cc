@@ -70,11 +70,13 @@ double SmoothProfile::displacement(double r, double a) const {
 }
 
 double SmoothProfile::radius_of_approach(double approach) const {
+  require_in("approach", approach, 0, this->approach(max_radius_));
   return increasing_root([&](double a) { return this->approach(a); }, [&](double a) { return approach_slope(a); },
                          approach, max_radius_ / 2, 0, max_radius_);
 }
 
 double SmoothProfile::radius_of_force(double force) const {
+  require_in("force / modulus", force, 0, this->force(max_radius_));
   return increasing_root([&](double a) { return this->force(a); }, [&](double a) { return 2 * a * approach_slope(a); },
                          force, max_radius_ / 2, 0, max_radius_);
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -57,7 +57,7 @@ class UnderForce {
   Moment at(double t) const {
     if (t > press_.valid_until()) return by_springs(t);
     const double a = press_.radius(t);
-    Moment moment{{a, 64 * unit * a}, press_.approach(t), {force_(t), 0}, std::nullopt};
+    Moment moment{{a, 64 * unit * a}, press_.approach(t), {force_(t), 16 * unit * force_(t)}, std::nullopt};
     if (creep_.compliance.instantaneous() > 0) moment.central_pressure = press_.pressure(0, t);
     return moment;
   }
@@ -83,19 +83,48 @@ class UnderForce {
  private:
   static double last(const TimedLoad& load) { return load.times[load.times.size() - 1]; }
 
-  // A contact that grew, shrank and grows again: springs as wide as the largest contact of the load so far.
+  // A contact that was lost or grows again: springs as wide as the largest contact that the load so far can make.
   Moment by_springs(double t) const {
-    double largest = press_.load().grown(press_.grows_until());
-    for (const auto& piece : force_.pieces()) {
-      if (piece.start < t) largest = std::max(largest, force_(piece.start) * creep_.compliance(t));
-    }
-    for (int i = 0; i <= 64; ++i) largest = std::max(largest, force_(t * i / 64) * creep_.compliance(t));
-    const double widest = 1.05 * static_cast<double>(profile_.radius_of_force(largest));
-    constexpr int springs = 2000;
-    constexpr int steps = 500;
-    const auto press = contact::press_springs(profile_, creep_, force_, t, widest, springs, steps);
+    double largest = 0;
+    for (const double s : look_times(t)) largest = std::max(largest, force_(s) * creep_.compliance(t));
+    constexpr double margin = 1.05;
+    const double widest =
+        std::min(margin * static_cast<double>(profile_.radius_of_force(largest)), profile_.max_radius());
+    constexpr int springs = 1000;
+    const auto press = contact::press_springs(profile_, creep_, force_, t, widest, springs, steps_to(t));
     if (!press.springs.is_one_circle()) throw std::runtime_error("load: the contact is no longer one circle");
     return {press.radius, press.approach, {force_(t), 0}, std::nullopt};
+  }
+
+  // Starts of the pieces, and times between.
+  std::vector<double> look_times(double t) const {
+    constexpr int between = 256;
+    std::vector<double> times;
+    for (const auto& piece : force_.pieces()) {
+      if (piece.start <= t) times.push_back(piece.start);
+    }
+    for (int i = 0; i <= between; ++i) times.push_back(force_.start() + (t - force_.start()) * i / between);
+    return times;
+  }
+
+  // Of every piece: some for every swing of it and for the shortest time of relaxation.
+  int steps_to(double t) const {
+    constexpr double least = 500, most = 20000;
+    constexpr double a_swing = 64, a_relaxation = 4;
+    double steps = least;
+    const auto& pieces = force_.pieces();
+    for (std::size_t k = 0; k < pieces.size() && pieces[k].start < t; ++k) {
+      const double duration = (k + 1 < pieces.size() ? std::min(t, pieces[k + 1].start) : t) - pieces[k].start;
+      steps = std::max(steps, a_swing * duration * pieces[k].frequency / (2 * std::numbers::pi));
+      const auto& modes = creep_.modulus.modes();
+      if (pieces[k].amplitude != 0 && !modes.empty())
+        steps = std::max(steps, a_relaxation * duration / modes.front().time);
+    }
+    if (steps > most) {
+      throw std::invalid_argument(
+          fmt::format("load.times: {} s is too many swings or relaxation times after the start", t));
+    }
+    return static_cast<int>(steps);
   }
 
   P profile_;
@@ -131,7 +160,7 @@ void push(std::vector<double>& row, const Estimate& e) {
   row.push_back(e.error);
 }
 
-constexpr Estimate none{0, 0};
+constexpr Estimate none{not_known, not_known};
 
 std::vector<Result> results_of(double t, const Moment& m) {
   std::vector<Result> results{{"time", t, 0, "s"},
@@ -171,11 +200,13 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
   PressedOverTime result;
   say_rate(creep, result.head);
   const double last = load.times[load.times.size() - 1];
-  result.answer.main = {name.law, results_of(last, press.at(last)),
-                        name.remark + (press.by_closed_form(last)
-                                           ? "; Lee and Radok while the contact grows, Ting while it shrinks"
-                                           : "; independent springs, since the contact grows again after it shrank")};
-  result.answer.main.results.push_back({"grows_until", press.grows_until(), 1e-12 * press.grows_until(), "s"});
+  result.answer.main = {
+      name.law, results_of(last, press.at(last)),
+      name.remark + (press.by_closed_form(last) ? "; Lee and Radok while the contact grows, Ting while it shrinks"
+                                                : "; independent springs, since the contact was lost or grew again")};
+  if (press.grows_until() < last) {
+    result.answer.main.results.push_back({"grows_until", press.grows_until(), 1e-12 * press.grows_until(), "s"});
+  }
   const bool seed = creep.compliance.instantaneous() > 0;
   if (seed) {
     const Estimate e = contact::seed_creep_approach(profile, creep, load.history, last);
@@ -184,7 +215,7 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
                                     "Keppler 4.28 and 4.72, linear in F^(2/3): not the solution"});
   }
   if (scene.profile.times) {
-    result.table = {{"t_s", "x_m", "pressure_Pa", "displacement_m", "pressure_error_Pa", "displacement_error_m"}, {}};
+    result.table = {{"t_s", "x_m", "pressure_Pa", "pressure_error_Pa", "displacement_m", "displacement_error_m"}, {}};
     for (std::size_t k = 0; k < scene.profile.times->size(); ++k) {
       const double t = (*scene.profile.times)[k];
       const double a = press.at(t).radius.value;
@@ -194,17 +225,17 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
         const double r = distance[i];
         const Estimate p = press.pressure(r, t);
         const Estimate u = press.displacement(r, t);
-        result.table.rows.push_back({t, r, p.value, u.value, p.error, u.error});
+        result.table.rows.push_back({t, r, p.value, p.error, u.value, u.error});
       }
     }
     return result;
   }
   result.table = history_columns();
-  if (seed) result.table.columns.insert(result.table.columns.end(), {"seed_approach_m"});
+  if (seed) result.table.columns.insert(result.table.columns.end(), {"seed_approach_m", "seed_approach_error_m"});
   for (std::size_t i = 0; i < load.times.size(); ++i) {
     InterruptGuard::check();
     auto row = row_of(load.times[i], press.at(load.times[i]));
-    if (seed) row.push_back(contact::seed_creep_approach(profile, creep, load.history, load.times[i]).value);
+    if (seed) push(row, contact::seed_creep_approach(profile, creep, load.history, load.times[i]));
     result.table.rows.push_back(std::move(row));
   }
   return result;
@@ -258,6 +289,7 @@ PressedOverTime growing_ellipse(const contact::RelativeRadii& radii, const Conta
     const double relative = 32 * unit;
     result.answer.main = {"hertz_ellipse",
                           {{"time", t, 0, "s"},
+                           {"normal_force", load.history(t), 16 * unit * load.history(t), "N"},
                            {"semi_axis_a", e.a, relative * e.a, "m"},
                            {"semi_axis_b", e.b, relative * e.b, "m"},
                            {"approach", e.approach, relative * e.approach, "m"}},

@@ -62,6 +62,12 @@ contact::Press press_of(const StaticLoad& load) {
                                              : contact::Press::by_approach(load.value);
 }
 
+bool peak_is_resolved(const PressedHalfSpace& p) {
+  const auto highest =
+      std::ranges::max_element(p.zones, {}, [](const contact::ContactZone& zone) { return zone.peak_pressure.value; });
+  return highest != p.zones.end() && highest->edge_resolved;
+}
+
 LawAnswer answer_of(const PressedHalfSpace& p, double modulus) {
   const auto estimated = [](const char* name, const Estimate& e, const char* of) {
     return Result{name, e.value, e.error, of};
@@ -76,6 +82,7 @@ LawAnswer answer_of(const PressedHalfSpace& p, double modulus) {
        {"residual", p.residual, 0, "1"}},
       fmt::format("numerical half-space on {} x {} cells, {} iterations; errors are estimates by refinement", p.grid.nx,
                   p.grid.ny, p.iterations)};
+  if (peak_is_resolved(p)) answer.results.push_back(estimated("peak_pressure", p.peak_pressure, "Pa"));
   answer.results.push_back({"zones", static_cast<double>(p.zones.size()), 0, "1"});
   return answer;
 }
@@ -92,9 +99,13 @@ Table map_of(const PressedHalfSpace& p) {
 }
 
 // The cell that a point lies in, if any.
-std::optional<std::size_t> cell_at(const Grid& grid, double x, double y) {
-  const double i = std::floor(x / grid.dx + 0.5 * grid.nx);
-  const double j = std::floor(y / grid.dy + 0.5 * grid.ny);
+std::optional<std::size_t> cell_at(const Grid& grid, bool periodic, double x, double y) {
+  double i = std::floor(x / grid.dx + 0.5 * grid.nx);
+  double j = std::floor(y / grid.dy + 0.5 * grid.ny);
+  if (periodic) {
+    i -= grid.nx * std::floor(i / grid.nx);
+    j -= grid.ny * std::floor(j / grid.ny);
+  }
   if (!(i >= 0 && j >= 0 && i < grid.nx && j < grid.ny)) return std::nullopt;
   return grid.index(static_cast<int>(i), static_cast<int>(j));
 }
@@ -111,6 +122,9 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
   const bool first = std::holds_alternative<HeightMapFile>(pair.first.shape);
   const auto other = curved_surface(first ? pair.second.shape : pair.first.shape);
   if (!other) throw std::invalid_argument("bodies: a height map presses on a plane, a ball or a curved body");
+  if (file.periodic && !std::holds_alternative<Plane>(first ? pair.second.shape : pair.first.shape)) {
+    throw std::invalid_argument("bodies: a periodic height map presses on a plane");
+  }
   const auto surface = file.periodic ? contact::Surface::periodic : contact::Surface::free;
   const Gap gap = gap_of(file, *other);
 
@@ -128,7 +142,7 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
   Pressed result{{answer_of(*pressed, modulus), {}, {}},
                  std::min(gap.grid.nx * gap.grid.dx, gap.grid.ny * gap.grid.dy) / 4,
                  [pressed](double x, double y) -> SurfacePoint {
-                   const auto cell = cell_at(pressed->grid, x, y);
+                   const auto cell = cell_at(pressed->grid, pressed->surface == contact::Surface::periodic, x, y);
                    if (!cell) return {{0, 0}};
                    const double p = pressed->pressure[*cell];
                    const Estimate& peak = pressed->peak_pressure;

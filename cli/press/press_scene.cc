@@ -9,8 +9,10 @@
 
 #include <patchgrip/cli/scene/contact_reader.h>
 #include <patchgrip/cli/scene/friction_reader.h>
+#include <patchgrip/cli/scene/profile_of.h>
 #include <patchgrip/cli/scene/scene.h>
 #include <patchgrip/cli/scene/sequence_reader.h>
+#include <patchgrip/contact/adhesion/tabor.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -25,15 +27,6 @@ constexpr Quantity time_range = non_negative("a time in s");
 constexpr std::size_t most_points = 100'000;
 
 constexpr std::array<std::string_view, 3> load_names{"normal_force", "approach", "contact_radius"};
-
-template <class F>
-auto made(const TomlReader& table, std::string_view key, F&& factory) {
-  try {
-    return factory();
-  } catch (const std::invalid_argument& error) {
-    table.refuse(key, error.what());
-  }
-}
 
 const Quantity& range_of(LoadKind kind, bool adhesive) {
   if (kind == LoadKind::normal_force) return adhesive ? adhesive_force_range : force_range;
@@ -178,9 +171,8 @@ Adhesion read_adhesion(const TomlReader& scene) {
   if (table.has("stress"))
     adhesion.stress = table.number("stress", positive("the stress sigma_0 of the attraction in Pa"));
   if (table.has("equilibrium_distance")) {
-    // The peak of the Lennard-Jones attraction, 16 w / (9 sqrt(3) z_0).
-    adhesion.stress = 16 * adhesion.work /
-                      (9 * std::sqrt(3.0) * table.number("equilibrium_distance", positive("the distance z_0 in m")));
+    const double distance = table.number("equilibrium_distance", positive("the distance z_0 in m"));
+    adhesion.stress = contact::lennard_jones_attraction(adhesion.work, distance);
   }
   return adhesion;
 }
@@ -211,9 +203,21 @@ Sweep read_sweep(const TomlReader& scene, bool adhesive) {
   return *std::move(sweep);
 }
 
+void check_profile(const TomlReader& scene, const PressScene& press) {
+  const bool timed = std::holds_alternative<TimedLoad>(press.load);
+  if (press.profile.times && !timed) scene.refuse("profile", "'times' is used beside [load]");
+  if (press.profile.distance && timed && !press.profile.times) {
+    scene.refuse("profile", "beside [load] 'distance' needs 'times'");
+  }
+}
+
 void check_sweep(const TomlReader& scene, const PressScene& press) {
-  if (!press.sweep || press.sweep->kind != SweepKind::radii_ratio) return;
+  if (!press.sweep) return;
   const auto* pair = std::get_if<BodyPair>(&press.subject);
+  if (press.sweep->kind == SweepKind::mu && (pair == nullptr || !relative_radius_of(*pair) || press.adhesion)) {
+    scene.refuse("sweep", "'mu' moves the zone of stick between balls, hollows and planes without adhesion");
+  }
+  if (press.sweep->kind != SweepKind::radii_ratio) return;
   if (pair == nullptr || !std::holds_alternative<CurvedSurface>(pair->first.shape) ||
       !std::holds_alternative<Plane>(pair->second.shape)) {
     scene.refuse("sweep", "'radii_ratio' varies the smaller of the two 'radii' of body A, on a plane body B");
@@ -256,6 +260,7 @@ PressScene read_press_scene(const TomlDocument& document, const MaterialLibrary&
                    scene.has("profile") ? read_profile(scene) : ProfileRequest{},
                    std::move(sweep)};
   if (scene.has("friction")) press.mu = read_friction(scene).mu_static;
+  check_profile(scene, press);
   check_sweep(scene, press);
   return press;
 }

@@ -1,7 +1,6 @@
 #include <patchgrip/cli/press/press_tables.h>
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -20,14 +19,19 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return name + "_" + suffix;
 }
 
-void add_law(const LawAnswer& law, const std::string& prefix, bool errors, std::vector<std::string>* columns,
-             std::vector<double>& row) {
-  for (const Result& q : law.results) {
-    row.push_back(q.value);
-    if (errors) row.push_back(q.error);
-    if (columns == nullptr) continue;
-    columns->push_back(with_unit(prefix + q.name, q.unit));
-    if (errors) columns->push_back(with_unit(prefix + q.name + "_error", q.unit));
+// The cell of a column in a row; a column that is new is empty in the rows before.
+double& cell(Table& table, std::vector<double>& row, const std::string& column) {
+  const auto found = std::ranges::find(table.columns, column);
+  const auto index = static_cast<std::size_t>(found - table.columns.begin());
+  if (found == table.columns.end()) table.columns.push_back(column);
+  if (row.size() <= index) row.resize(index + 1, not_known);
+  return row[index];
+}
+
+void add_law(Table& table, std::vector<double>& row, const LawAnswer& law, const std::string& prefix) {
+  for (const Result& r : law.results) {
+    cell(table, row, with_unit(prefix + r.name, r.unit)) = r.value;
+    cell(table, row, with_unit(prefix + r.name + "_error", r.unit)) = r.error;
   }
 }
 
@@ -69,15 +73,12 @@ Table sweep_table(const PressScene& scene) {
     InterruptGuard::check();
     const double value = scene.sweep->values[i];
     const Answer answer = press(at_sweep_value(scene, value)).answer;
-    std::vector<std::string>* columns = i == 0 ? &table.columns : nullptr;
-    auto& row = table.rows.emplace_back(std::vector{value});
-    add_law(answer.main, "", true, columns, row);
-    for (const LawAnswer& law : answer.beside) add_law(law, law.law + "_", false, columns, row);
-    if (row.size() != table.columns.size()) {
-      throw std::runtime_error(
-          fmt::format("sweep: at {} = {} other results are answered than before", table.columns[0], value));
-    }
+    std::vector<double> row{value};
+    add_law(table, row, answer.main, "");
+    for (const LawAnswer& law : answer.beside) add_law(table, row, law, law.law + "_");
+    table.rows.push_back(std::move(row));
   }
+  for (auto& row : table.rows) row.resize(table.columns.size(), not_known);
   return table;
 }
 

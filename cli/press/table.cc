@@ -1,5 +1,7 @@
 #include <patchgrip/cli/press/table.h>
 
+#include <cmath>
+
 #include <patchgrip/cli/csv_number.h>
 
 namespace patchgrip::cli {
@@ -11,7 +13,7 @@ std::string to_csv(const Table& table, const std::vector<std::string>& head) {
   text.back() = '\n';
   for (const auto& row : table.rows) {
     for (const double value : row) {
-      append_number(text, value);
+      if (!std::isnan(value)) append_number(text, value);
       text += ',';
     }
     text.back() = '\n';

@@ -1,11 +1,15 @@
 // A table of numbers with named columns, as CSV.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace patchgrip::cli {
+
+// What is not known at a row. An empty cell in CSV.
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 struct Table {
   std::vector<std::string> columns;

@@ -30,16 +30,6 @@ enum class Kind { hertz_disc, flat_punch_disc, uniform_disc, ring, power_disc, x
 constexpr std::array<std::string_view, 8> kind_names{"hertz_disc", "flat_punch_disc", "uniform_disc", "ring",
                                                      "power_disc", "xydas_kao_disc",  "rectangle",    "polygon"};
 
-// What a factory refuses, told at the key that gave it the value.
-template <class F>
-auto made(const TomlReader& table, std::string_view key, F&& factory) {
-  try {
-    return factory();
-  } catch (const std::invalid_argument& error) {
-    table.refuse(key, error.what());
-  }
-}
-
 bool seed_model(const TomlReader& contact) {
   constexpr std::array<std::string_view, 2> models{"exact", "seed_polynomial"};
   return contact.has("model") && contact.choice("model", models) == 1;

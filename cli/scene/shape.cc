@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <system_error>
 
 #include <patchgrip/cli/scene/outline_reader.h>
 
@@ -130,7 +131,10 @@ DescribedShape read_stamp(const TomlReader& body) {
 }
 
 std::filesystem::path beside_scene(const TomlReader& body, std::string_view key) {
-  return std::filesystem::path(body.document().name()).parent_path() / body.text(key);
+  std::filesystem::path file = std::filesystem::path(body.document().name()).parent_path() / body.text(key);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) body.refuse(key, "no such file: " + file.string());
+  return file;
 }
 
 DescribedShape read_mesh(const TomlReader& body) {

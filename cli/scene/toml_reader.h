@@ -11,6 +11,7 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,5 +80,15 @@ class TomlReader {
   const toml::table* table_;
   std::string path_;
 };
+
+// What a factory refuses, told at the key that gave it the value.
+template <class F>
+auto made(const TomlReader& table, std::string_view key, F&& factory) {
+  try {
+    return factory();
+  } catch (const std::invalid_argument& error) {
+    table.refuse(key, error.what());
+  }
+}
 
 }  // namespace patchgrip::cli

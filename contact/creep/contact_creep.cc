@@ -15,15 +15,32 @@ BasicCreepCompliance<Wide> scaled(const CreepCompliance& compliance, double pois
                                         factor * compliance.fluidity());
 }
 
+// Without the modes that nobody can feel: their times in C and in its reciprocal would be one number.
+BasicCreepCompliance<Wide> without_weak_modes(const BasicCreepCompliance<Wide>& compliance) {
+  const Wide weak = 1e-24;
+  Wide steepest = compliance.fluidity();
+  for (const auto& mode : compliance.modes()) steepest += mode.strength / mode.time;
+  Modes<Wide> modes;
+  for (const auto& mode : compliance.modes()) {
+    if (mode.strength > weak * compliance.equilibrium() || mode.strength / mode.time > weak * steepest) {
+      modes.push_back(mode);
+    }
+  }
+  return BasicCreepCompliance<Wide>::of(compliance.instantaneous(), std::move(modes), compliance.fluidity());
+}
+
 // Both series follow from the one that is rounded: C.
 ContactCreep contact_creep(const BasicCreepCompliance<Wide>& wide) {
-  const CreepCompliance compliance = compliance_as<double>(wide);
+  const CreepCompliance compliance = compliance_as<double>(without_weak_modes(wide));
   const auto exact = compliance_as<Wide>(compliance);
   const auto modulus = reciprocal(exact);
   std::vector<std::vector<double>> coupling;
   for (const auto& relaxing : modulus.modes()) {
     auto& row = coupling.emplace_back();
-    for (const auto& creeping : exact.modes()) row.push_back(static_cast<double>(1 / (creeping.time - relaxing.time)));
+    for (const auto& creeping : exact.modes()) {
+      row.push_back(static_cast<double>(1 / (creeping.time - relaxing.time)));
+      require_finite("coupling of two modes", row.back());
+    }
   }
   return {compliance, modulus_as<double>(modulus), std::move(coupling)};
 }

@@ -87,6 +87,8 @@ class Cycles {
     require_non_negative("r", r);
     const Ends ends = ends_of(t);
     if (r >= ends.radius) return {0, 0};
+    const double elastic = profile_.pressure(r, ends.radius);
+    if (std::isinf(elastic)) return {elastic, elastic};
     // By parts, without the slope: int (q(r) - q(x)) / z^2 dz + q(r) / z(a), z = sqrt(x^2 - r^2).
     const double q = spring(r, t).stress;
     const auto z_of = [&](double x) { return std::sqrt((x - r) * (x + r)); };

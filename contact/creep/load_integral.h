@@ -7,6 +7,7 @@
 // Radok 1960). It falls from `falls_at` on: at once where a jump takes force off.
 //
 // Domain   C_0, C_j, lambda_j, fluidity as in creep_compliance.h.
+//          Sines of at most 1e5 turns.
 // Units    X [m^2], F [N], C [1/Pa].
 // Error    X of forces that do not fall: <= 12 + n / 2 units of rounding (2^-53), relative, n modes.
 //          tests/contact/growing_contact_test.cc.
@@ -38,6 +39,8 @@ Real load_integral_rate(const BasicCreepCompliance<Real>& compliance, const Basi
   return sum;
 }
 
+constexpr double most_turns = 1e5;
+
 // Times to look at in (start of the piece, end], ascending; the last is the end.
 std::vector<double> look_times(const HistoryPiece<double>& piece, double end);
 
@@ -55,7 +58,7 @@ double falling_root(const Function& f, double lo, double hi) {
   return left + (right - left) / 2;
 }
 
-// The first time up to `until` from which X falls; +infinity if it does not.
+// The first time up to `until` from which X falls, the last one before a jump down; +infinity if it does not.
 double load_integral_falls_at(const CreepCompliance& compliance, const History& force, double until);
 
 }  // namespace patchgrip::contact

@@ -12,8 +12,11 @@ namespace {
 // The first time from which the approach falls.
 double falls_at(const History& approach, double until) {
   const auto& pieces = approach.pieces();
-  for (std::size_t k = 0; k < pieces.size() && pieces[k].start < until; ++k) {
-    if (approach.jump(k) < 0 || pieces[k].rate_at(pieces[k].start) < 0) return pieces[k].start;
+  for (std::size_t k = 0; k < pieces.size() && pieces[k].start <= until; ++k) {
+    // At a jump down the approach is already the smaller one: the contact grew until just before.
+    if (approach.jump(k) < 0) return std::nextafter(pieces[k].start, approach.start());
+    if (pieces[k].start == until) break;
+    if (pieces[k].rate_at(pieces[k].start) < 0) return pieces[k].start;
     const double end = k + 1 < pieces.size() ? std::min(until, pieces[k + 1].start) : until;
     double before = pieces[k].start;
     for (const double t : look_times(pieces[k], std::nextafter(end, before))) {
@@ -100,7 +103,11 @@ void RecedingApproach::find_end() {
     const double start = pieces[k].start;
     const double end = k + 1 < pieces.size() ? std::min(valid_until_, pieces[k + 1].start) : valid_until_;
     if (end <= grows_until_) continue;
-    if (start > grows_until_ && (approach_.jump(k) > 0 || !shrinks(start))) {
+    if (start > grows_until_ && approach_.jump(k) > 0) {
+      valid_until_ = std::nextafter(start, approach_.start());
+      return;
+    }
+    if (start > grows_until_ && !shrinks(start)) {
       valid_until_ = start;
       return;
     }

@@ -10,8 +10,18 @@ RecedingLoad::RecedingLoad(ContactCreep creep, History force, double until)
   if (!(until > force_.start()) || !std::isfinite(until)) {
     refuse("until", until, "must be finite and after the start of the force");
   }
-  for (const auto& piece : force_.pieces()) {
-    if (piece.start <= until) require_non_negative("force", piece.value);
+  const auto& pieces = force_.pieces();
+  for (std::size_t k = 0; k < pieces.size() && pieces[k].start <= until; ++k) {
+    require_non_negative("force", pieces[k].value);
+    const double end = k + 1 < pieces.size() ? std::min(until, pieces[k + 1].start) : until;
+    if (!(end > pieces[k].start)) continue;
+    const double rounding = 16 * 0x1p-53 * (pieces[k].value + std::fabs(pieces[k].amplitude));
+    for (const double t : look_times(pieces[k], std::nextafter(end, pieces[k].start))) {
+      const double value = pieces[k].at(t);
+      if (value < -rounding - 16 * 0x1p-53 * std::fabs(pieces[k].rate * (t - pieces[k].start))) {
+        refuse("force", value, "must be non-negative");
+      }
+    }
   }
   grows_until_ = std::min(until, load_integral_falls_at(creep_.compliance, force_, until));
   if (grows_until_ < until) valid_until_ = first_end();
@@ -101,7 +111,8 @@ double RecedingLoad::first_end() const {
     const double end = k + 1 < pieces.size() ? std::min(valid_until_, pieces[k + 1].start) : valid_until_;
     if (end <= grows_until_) continue;
     double before = std::max(pieces[k].start, grows_until_);
-    if (before > grows_until_ && (force_.jump(k) > 0 || shrinking(before) < 0)) return before;
+    if (before > grows_until_ && force_.jump(k) > 0) return std::nextafter(before, force_.start());
+    if (before > grows_until_ && shrinking(before) < 0) return before;
     for (const double t : look_times(pieces[k], std::nextafter(end, pieces[k].start))) {
       if (t <= before) continue;
       if (shrinking(t) < 0) {

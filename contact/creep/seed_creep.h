@@ -50,10 +50,32 @@ Estimate seed_creep_approach(const P& profile, const ContactCreep& creep, const 
     breaks.push_back(piece.start);
     require_non_negative("force", force(std::min(piece.start, t)));
   }
-  const Estimate crept =
-      fading::over_past([&](double s) { return creep.compliance.slope(t - s) / C0 * elastic(s); }, force.start(), t,
-                        modes.empty() ? t : modes.front().time, breaks, 8 * 0x1p-53 * now);
-  return {now + crept.value, 16 * 0x1p-53 * now + crept.error};
+  // A mode that is over within the digits of t follows the force: it adds J_j / C_0 of the approach of now.
+  const double soon = 1e-8 * (t - force.start());
+  Estimate at_once{0, 0};
+  Modes<double> slow;
+  for (const auto& mode : modes) {
+    if (mode.time >= soon) {
+      slow.push_back(mode);
+      continue;
+    }
+    constexpr double forgotten = 40;  // exp(-40) < 2^-53
+    const double share = mode.strength / C0;
+    at_once.value += share * now;
+    at_once.error += share * (std::fabs(now - elastic(t - forgotten * mode.time)) + 8 * 0x1p-53 * now);
+  }
+  const double fluidity = creep.compliance.fluidity();
+  Estimate crept{0, 0};
+  if (!slow.empty() || fluidity > 0) {
+    const auto slope = [&](double age) {
+      double sum = fluidity;
+      for (const auto& mode : slow) sum += mode.strength / mode.time * std::exp(-age / mode.time);
+      return sum;
+    };
+    crept = fading::over_past([&](double s) { return slope(t - s) / C0 * elastic(s); }, force.start(), t,
+                              slow.empty() ? t - force.start() : slow.front().time, breaks, 8 * 0x1p-53 * now);
+  }
+  return {now + at_once.value + crept.value, 16 * 0x1p-53 * now + at_once.error + crept.error};
 }
 
 }  // namespace patchgrip::contact

@@ -89,6 +89,7 @@ void Springs::advance_to_approach(double duration, double approach) {
 void Springs::advance_to_force(double duration, double force) {
   require_non_negative("duration", duration);
   require_non_negative("force", force);
+  largest_force_ = std::max(largest_force_, force);
   const State from = state_;
   const double before = approach_;
   double lo = -heights_.back(), hi = heights_.back();
@@ -99,7 +100,7 @@ void Springs::advance_to_force(double duration, double force) {
     const double lack = force - response.force;
     (lack > 0 ? lo : hi) = approach;
     const double change = lack / response.stiffness;
-    const bool is_exact = std::fabs(lack) <= 4 * 0x1p-53 * force;
+    const bool is_exact = std::fabs(lack) <= 4 * 0x1p-53 * largest_force_;
     const bool is_narrow = hi - lo <= 4 * 0x1p-53 * std::max(std::fabs(lo), std::fabs(hi));
     if (is_exact || is_narrow || std::fabs(change) <= 0x1p-53 * std::fabs(approach)) {
       if (force > 0 && lo >= heights_.back() * (1 - 8 * 0x1p-53)) {

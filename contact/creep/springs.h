@@ -77,6 +77,7 @@ class Springs {
   State state_;
   std::vector<double> stresses_;
   double approach_ = 0;
+  double largest_force_ = 0;  // given so far [N]
 };
 
 }  // namespace patchgrip::contact

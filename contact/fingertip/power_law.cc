@@ -57,6 +57,7 @@ PowerLawFit PowerLawFit::to(std::span<const MeasuredRadius> points) {
     refuse("normal_force", points.front().normal_force, "must differ between the points");
   }
   const Real gamma = xy / xx;
+  if (!(gamma > 0)) refuse("gamma", static_cast<double>(gamma), "must be positive: radii grow with the force");
   const Real log_c = mean_y - gamma * mean_x;
   Real squares = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {

@@ -211,6 +211,7 @@ void check_start(const Grid& grid, Surface surface, const PressedHalfSpace* star
   if (!(start->grid == grid) || start->surface != surface || start->pressure.size() != grid.size()) {
     throw std::invalid_argument("the start belongs to another grid or surface");
   }
+  for (const double p : start->pressure) require_non_negative("pressure of the start", p);
 }
 
 // The earlier pressure, p / E*, on the extended grid.

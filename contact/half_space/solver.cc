@@ -38,7 +38,8 @@ ContactSolver::ContactSolver(const Grid& grid, Surface surface, std::span<const 
       g_(grid.size()),
       direction_(grid.size()),
       work_(grid.size()),
-      on_(grid.size()) {}
+      on_(grid.size()),
+      uniform_(grid.size()) {}
 
 SolverStatus ContactSolver::solve(Prescribed prescribed, double value, double tolerance, int max_iterations,
                                   const SolverObserver& observer, std::span<double> pressure) {
@@ -98,9 +99,8 @@ void ContactSolver::begin(Prescribed prescribed, double value, std::span<double>
   std::ranges::fill(on_, 0.);
   approach_ = value;  // a given load forms it from the pressure
   if (prescribed == Prescribed::approach) return;
-  uniform_.resize(grid_.size());
   const double sum = std::accumulate(p.begin(), p.end(), 0.);
-  for (double& cell : p) cell *= value / sum;
+  for (double& cell : p) cell = sum > 0 ? cell * (value / sum) : value / static_cast<double>(p.size());
 }
 
 // g becomes u_z; the approach that a given load starts from is the mean over the pressure.
@@ -124,7 +124,7 @@ bool ContactSolver::choose_set(bool fresh, std::span<const double> p) {
   set_size_ = size;
   set_residual_ = std::sqrt(squares / size);
   const double worst = std::max(pressed > 0 ? std::sqrt(pressed_squares / pressed) : 0, tally.largest);
-  residual_ = worst > 0 ? worst / scale_ : 0;
+  residual_ = worst == 0 ? 0 : worst / scale_;  // not a number stays so, and is no convergence
   return changes > 0;
 }
 

@@ -2,6 +2,27 @@
 #include <patchgrip/contact/require.h>
 
 namespace patchgrip::contact {
+namespace {
+
+// Between two loops of a solution there are microseconds; waking a sleeping thread costs tens of them.
+constexpr int looks_before_sleep = 4000;
+
+void rest() noexcept {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+template <class Changed>
+bool changes_soon(const Changed& changed) noexcept {
+  for (int i = 0; i < looks_before_sleep; ++i) {
+    if (changed()) return true;
+    rest();
+  }
+  return false;
+}
+
+}  // namespace
 
 Workers::Workers(int threads) {
   require_in("threads", threads, 1, most_threads);
@@ -31,6 +52,7 @@ void Workers::share(int parts, Call call, const void* part) {
   ++round_;
   round_.notify_all();
   take_parts(0);
+  if (changes_soon([&] { return undone_ == 0; })) return;
   for (std::uint32_t undone = undone_; undone != 0; undone = undone_) undone_.wait(undone);
 }
 
@@ -46,7 +68,7 @@ void Workers::take_parts(int thread) {
 
 void Workers::serve(int thread) {
   for (std::uint32_t seen = 0;;) {
-    round_.wait(seen);
+    if (!changes_soon([&] { return round_ != seen; })) round_.wait(seen);
     seen = round_;
     if (stopped_) return;
     take_parts(thread);

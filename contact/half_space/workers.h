@@ -53,7 +53,7 @@ class Workers {
   std::atomic<std::uint64_t> tickets_ = 0;  // the round in the upper half, how many parts are left to take in the lower
   std::atomic<std::uint32_t> undone_ = 0;   // parts of this round
   std::atomic<std::uint32_t> round_ = 0;    // a change wakes the threads
-  bool stopped_ = false;
+  std::atomic<bool> stopped_ = false;
   std::vector<std::thread> threads_;
 };
 

@@ -333,7 +333,7 @@ std::vector<Bad> bad_scenes() {
       {"RadiusOfAnEllipse", stamp("radii = [0.02, 0.01]", "contact_radius = 1e-3"),
        "contact_radius: an ellipse has two"},
       {"NoSuchMesh", stamp("mesh = \"no.off\"\npoint = [0, 0, 0]"), "no.off"},
-      {"NoSuchMap", stamp("height_map = \"no.csv\"\ncell = [1e-3, 1e-3]"), "no.csv cannot be read"},
+      {"NoSuchMap", stamp("height_map = \"no.csv\"\ncell = [1e-3, 1e-3]"), "no.csv\": no such file"},
       {"MapWithoutCells", stamp("height_map = \"rough_surface.csv\""), "cell: missing: two lengths in m"},
       {"MapIsNoGrid", stamp("height_map = \"ellipsoid.off\"\ncell = [1e-3, 1e-3]"), "ellipsoid.off"},
       {"StaticCreep", test::with(creep, "[contact]\n", "[contact]\nnormal_force = 1\n"),

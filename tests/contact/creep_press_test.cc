@@ -263,6 +263,31 @@ TEST(Press, ShrinksIntoTheJumpItBeganWith) {
   EXPECT_LT(press.radius(t), press.radius(0));
 }
 
+// Histories are those just after a jump, and so are radius and approach.
+TEST(Press, AtAJumpIsThePressJustAfterIt) {
+  const auto creep = solid(30e3, 20e3, 9e3);
+  const std::vector<std::vector<HistoryPoint<double>>> forces{{{0, 0}, {1, 1}, {1, 0.2}, {3, 0.1}},
+                                                              {{0, 1}, {1, 1}, {1, 0.5}, {3, 0.4}},
+                                                              {{0, 0.5}, {1, 1}, {1, 1.5}, {3, 1.5}}};
+  for (const auto& points : forces) {
+    const auto press = UnderForce::of(paraboloid(0.02), creep, History::points(points), 1.05);
+    const double at = press.radius(1), after = press.radius(1 + 1e-9), before = press.radius(1 - 1e-9);
+    EXPECT_NEAR(at / after, 1, 1e-7);
+    EXPECT_GT(std::abs(before / after - 1), 1e-2);
+    EXPECT_NEAR(press.approach(1).value / press.approach(1 + 1e-9).value, 1, 1e-7);
+  }
+}
+
+TEST(Press, AModeThatNobodyCanFeelChangesNothing) {
+  const auto creep = [](Modes<double> modes) {
+    return ContactCreep::against_rigid(ViscoelasticMaterial::of(RelaxationModulus::of(20e3, std::move(modes)), 0.5));
+  };
+  const auto force = History::points({{0, 0}, {1, 1}, {2, 0.5}});
+  const auto with = UnderForce::of(paraboloid(0.02), creep({{30e3, 0.3}, {1e-32, 10}}), force, 2);
+  const auto without = UnderForce::of(paraboloid(0.02), creep({{30e3, 0.3}}), force, 2);
+  for (const double t : {0.5, 1., 1.5, 2.}) EXPECT_NEAR(with.radius(t) / without.radius(t), 1, 1e-14);
+}
+
 TEST(Press, EndsWhereTheContactGrowsAgain) {
   const auto creep = solid(100000, 25000, 8000);
   // Off quickly, then held: the surface comes back and the contact grows.

@@ -107,7 +107,10 @@ TEST(LoadIntegral, FallsWhereItsRateTurns) {
   EXPECT_NEAR(load_integral_rate(slow, History::triangle(3, 2), turn), 0, 1e-18);
   EXPECT_EQ(load_integral_falls_at(slow, History::ramp(1), 1e6), INFINITY);
   EXPECT_EQ(load_integral_falls_at(slow, History::step(1), 1e6), INFINITY);
-  EXPECT_EQ(load_integral_falls_at(slow, History::points({{0, 2}, {1, 2}, {1, 1}}), 5), 1);
+  EXPECT_EQ(load_integral_falls_at(slow, History::points({{0, 2}, {1, 2}, {1, 1}}), 5), std::nextafter(1., 0.));
+  // A jump at the very end is seen, too.
+  EXPECT_EQ(load_integral_falls_at(slow, History::points({{0, 2}, {1, 2}, {1, 1}}), 1), std::nextafter(1., 0.));
+  EXPECT_THROW(load_integral_falls_at(slow, History::sine(1, 0.5, 1e9), 1), std::invalid_argument);
 }
 
 TEST(GrowingContact, StepsAreTheClosedForm) {

@@ -79,7 +79,7 @@ TEST(MeshContact, BodiesThatDoNotFaceEachOtherAreRefused) {
       [&] {
         MeshContact::between(below, touching(4, {0.02, 0.02, 0.02}, 0, 1), {0, 0.02, -0.02});
       },
-      ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("angle_between_normals")));
+      ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("distance of the point to the mesh")));
 }
 
 TEST(MeshContact, MeshesTooCoarseToTellAreRefused) {
