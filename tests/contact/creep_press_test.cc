@@ -266,8 +266,8 @@ TEST(Press, ShrinksIntoTheJumpItBeganWith) {
 // Histories are those just after a jump, and so are radius and approach.
 TEST(Press, AtAJumpIsThePressJustAfterIt) {
   const auto creep = solid(30e3, 20e3, 9e3);
-  const std::vector<std::vector<HistoryPoint<double>>> forces{{{0, 0}, {1, 1}, {1, 0.2}, {3, 0.1}},
-                                                              {{0, 1}, {1, 1}, {1, 0.5}, {3, 0.4}},
+  const std::vector<std::vector<HistoryPoint<double>>> forces{{{0, 0}, {1, 1}, {1, 0.2}, {1.1, 0}},
+                                                              {{0, 1}, {1, 1}, {1, 0.5}, {1.1, 0}},
                                                               {{0, 0.5}, {1, 1}, {1, 1.5}, {3, 1.5}}};
   for (const auto& points : forces) {
     const auto press = UnderForce::of(paraboloid(0.02), creep, History::points(points), 1.05);
