@@ -255,7 +255,7 @@ PressedOverTime at_approach(const P& profile, const ProfileName& name, const Con
     for (std::size_t k = 0; k < scene.profile.times->size(); ++k) {
       const double t = (*scene.profile.times)[k];
       const double a = press.at(t).radius.value;
-      const Sequence distance = scene.profile.distance.value_or(Sequence::equal_steps(0, 1.25 * a, 126));
+      const Sequence distance = scene.profile.distance.value_or(Sequence::equal_steps(0, 2 * a, 201));
       for (std::size_t i = 0; i < distance.size(); ++i) {
         InterruptGuard::check();
         const Estimate p = press.pressure(distance[i], t);

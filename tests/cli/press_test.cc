@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -115,6 +117,15 @@ TEST_P(CommittedScene, IsAnsweredWithErrorsAndATable) {
 
 INSTANTIATE_TEST_SUITE_P(Press, CommittedScene, ::testing::ValuesIn(committed_scenes()),
                          [](const auto& given) { return given.param; });
+
+TEST(Press, TheReadmeKnowsEveryScene) {
+  std::ifstream readme(test::data_folder / "scenes" / "README.md");
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  for (const std::string& name : committed_scenes()) {
+    if (name.starts_with("figure_4_")) continue;
+    EXPECT_THAT(text, HasSubstr("`" + name + "`"));
+  }
+}
 
 TEST(Press, BallOnPlateIsTheHertzCircleOfTheLibrary) {
   const Pressed pressed = press(committed("rubber_ball"));
