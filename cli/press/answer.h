@@ -1,7 +1,9 @@
 // What `patchgrip press` says about a contact: numbers with their errors, other laws beside them, and warnings.
 //
-// The error of a number bounds its distance from the exact answer of the law that is named, for the numbers of the
-// scene as doubles. How far the law is from the scene is not in it: warnings say so, and the laws beside show it.
+// The error of a number bounds its distance from the exact answer of the law that is named, for the contact modulus and
+// the relative radii (and 1 - their ratio) that are printed with it, and else for the numbers of the scene as doubles.
+// Modulus and radii carry the errors of their own computation from the scene. A quantity that was given has none. How
+// far the law is from the scene is not in it: warnings say so, and the laws beside show it.
 #pragma once
 
 #include <string>
