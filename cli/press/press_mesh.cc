@@ -1,9 +1,11 @@
 #include <patchgrip/cli/press/press_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include <patchgrip/cli/press/rounding.h>
 #include <patchgrip/contact/mesh_contact.h>
 
 namespace patchgrip::cli {
@@ -74,16 +76,22 @@ Pressed press_mesh(const BodyPair& pair, double modulus, const PressScene& scene
                     {"stiffness", e.stiffness, stiffness_error, "N/m"},
                     relative_radius("radius_large", contact.radii.large),
                     relative_radius("radius_small", contact.radii.small),
-                    {"contact_modulus", modulus, 0x1p-52 * modulus, "Pa"}},
+                    within("contact_modulus", modulus, 1.01, "Pa")},
                    "by the curvature of the mesh; errors are those of its fit"},
                   {},
                   {}},
                  e.a,
                  [p = e.elliptic_pressure(), error = pressed](double x, double y) -> SurfacePoint {
                    const double value = p.pressure(x, y);
-                   const double relative =
-                       error.peak_pressure_error / p.peak_pressure + 2 * (error.a_error / p.a + error.b_error / p.b);
-                   return {{value, p.peak_pressure * std::sqrt(relative)}};
+                   const double rho2 = std::pow(x / p.a, 2) + std::pow(y / p.b, 2);
+                   // What the axes may do to rho^2; beyond that there is no pressure.
+                   const double axes = std::max(error.a_error / p.a, error.b_error / p.b) + 4 * unit;
+                   if (!(axes < 1)) return {{value, p.peak_pressure + error.peak_pressure_error}};
+                   const double moved = rho2 * axes * (2 - axes) / std::pow(1 - axes, 2);
+                   if (rho2 > 1 + moved) return {{0, 0}};
+                   const double peak = p.peak_pressure + error.peak_pressure_error;
+                   const double height = std::min(std::sqrt(moved), moved * p.peak_pressure / value);
+                   return {{value, (error.peak_pressure_error / p.peak_pressure + 4 * unit) * value + peak * height}};
                  }};
   result.knows_displacement = false;
   return result;
