@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <patchgrip/cli/press/rounding.h>
 #include <patchgrip/contact/hertz_ellipse.h>
 #include <patchgrip/contact/hertz_ellipse_approximation.h>
 
@@ -18,8 +19,6 @@ using contact::HertzEllipse;
 using contact::HertzEllipseApproximation;
 using contact::RelativeRadii;
 
-constexpr double unit = 0x1p-53;
-
 HertzEllipse loaded(const StaticLoad& load, const RelativeRadii& radii, double modulus) {
   if (load.kind == LoadKind::contact_radius) {
     throw std::invalid_argument("contact_radius: an ellipse has two; give normal_force or approach");
@@ -28,23 +27,46 @@ HertzEllipse loaded(const StaticLoad& load, const RelativeRadii& radii, double m
                                              : HertzEllipse::at_approach(load.value, radii, modulus);
 }
 
-LawAnswer answer_of(const HertzEllipse& e, const RelativeRadii& radii, double modulus, double angle) {
+// What rounding does to 1 - R_small/R_large and to the direction of a: the more, the closer to a circle.
+struct Direction {
+  static Direction of(const CurvedSurface& first, const CurvedSurface& second, const RelativeRadii& radii) {
+    const double turn = second.direction - first.direction;
+    // |dp| + |dm| of relative_radii.h, where the curvatures differ by D = (1 - R_small/R_large) / R_small.
+    const double differences =
+        std::fabs(1 / first.radii[0] - 1 / first.radii[1]) + std::fabs(1 / second.radii[0] - 1 / second.radii[1]);
+    const double noise = (0x1p-62 + unit * std::fabs(turn)) * differences * radii.small;
+    const double angle = first.direction + radii.angle_a;
+    const double turned = radii.one_minus_ratio > 0 ? noise / radii.one_minus_ratio : std::numbers::pi;
+    return {angle, std::min(std::numbers::pi / 2, 2 * turned + unit * (std::numbers::pi + std::fabs(angle))),
+            1.01 * unit * radii.one_minus_ratio + noise};
+  }
+
+  double angle;        // of a [rad]
+  double error;        // [rad]
+  double ratio_error;  // of 1 - R_small/R_large
+};
+
+LawAnswer answer_of(const HertzEllipse& e, const StaticLoad& load, const RelativeRadii& radii, double modulus,
+                    const Direction& direction) {
   const auto bounded = [](const char* name, double value, const char* of) {
-    return Result{name, value, HertzEllipse::error_units * unit * std::fabs(value), of};
+    return within(name, value, HertzEllipse::error_units, of);
   };
+  const bool by_force = load.kind == LoadKind::normal_force;
   LawAnswer answer{"hertz_ellipse", {}, "two surfaces by their curvature, zone small against the radii"};
-  answer.results = {bounded("semi_axis_a", e.a, "m"),
-                    bounded("semi_axis_b", e.b, "m"),
-                    bounded("eccentricity", e.eccentricity, "1"),
-                    bounded("one_minus_b_over_a", e.one_minus_b_a, "1"),
-                    bounded("normal_force", e.normal_force, "N"),
-                    bounded("approach", e.approach, "m"),
-                    bounded("peak_pressure", e.peak_pressure, "Pa"),
-                    bounded("stiffness", e.stiffness, "N/m"),
-                    {"angle_of_a", angle, 8 * unit * std::numbers::pi, "rad"},
-                    {"radius_large", radii.large, 1.01 * unit * radii.large, "m"},
-                    {"radius_small", radii.small, 1.01 * unit * radii.small, "m"},
-                    {"contact_modulus", modulus, 1.01 * unit * modulus, "Pa"}};
+  answer.results = {
+      bounded("semi_axis_a", e.a, "m"),
+      bounded("semi_axis_b", e.b, "m"),
+      bounded("eccentricity", e.eccentricity, "1"),
+      bounded("one_minus_b_over_a", e.one_minus_b_a, "1"),
+      by_force ? Result{"normal_force", load.value, 0, "N"} : bounded("normal_force", e.normal_force, "N"),
+      by_force ? bounded("approach", e.approach, "m") : Result{"approach", load.value, 0, "m"},
+      bounded("peak_pressure", e.peak_pressure, "Pa"),
+      bounded("stiffness", e.stiffness, "N/m"),
+      {"angle_of_a", direction.angle, direction.error, "rad"},
+      within("radius_large", radii.large, 1.01, "m"),
+      within("radius_small", radii.small, 1.01, "m"),
+      {"one_minus_radius_ratio", radii.one_minus_ratio, direction.ratio_error, "1"},
+      within("contact_modulus", modulus, 1.01, "Pa")};
   return answer;
 }
 
@@ -67,7 +89,7 @@ void add_circles(Pressed& pressed, const RelativeRadii& radii) {
   const auto shape = contact::shape_of(radii);
   const auto add = [&](const char* law, const contact::FactorsToCircle<long double>& f, const char* remark) {
     const auto factor = [](const char* name, long double value) {
-      return Result{name, static_cast<double>(value), unit * static_cast<double>(value), "1"};
+      return within(name, static_cast<double>(value), 1, "1");
     };
     pressed.answer.beside.push_back({law,
                                      {factor("pressure_factor", f.pressure), factor("force_factor", f.force),
@@ -94,33 +116,45 @@ Pressed press_ellipse(const CurvedSurface& first, const CurvedSurface& second, d
                       const PressScene& scene) {
   const auto radii = RelativeRadii::of_bodies({first.radii[0], first.radii[1]}, {second.radii[0], second.radii[1]},
                                               second.direction - first.direction);
-  const HertzEllipse e = loaded(std::get<StaticLoad>(scene.load), radii, modulus);
-  const double angle = first.direction + radii.angle_a;
+  const auto& load = std::get<StaticLoad>(scene.load);
+  const HertzEllipse e = loaded(load, radii, modulus);
+  const auto direction = Direction::of(first, second, radii);
   const contact::EllipticPressure pressure = e.elliptic_pressure();
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  Pressed result{
-      {answer_of(e, radii, modulus, angle), {}, {}},
-      e.a,
-      [=, approach = e.approach, large = radii.large, small = radii.small](double x, double y) -> SurfacePoint {
-        const double along_a = c * x + s * y;
-        const double along_b = c * y - s * x;
-        const double p = pressure.pressure(along_a, along_b);
-        const double u = pressure.displacement(along_a, along_b, modulus);
-        const double height = along_a * along_a / (2 * large) + along_b * along_b / (2 * small);
-        const double gap = p > 0 ? 0 : std::max(height - approach + u, 0.);
-        // The semi-axes carry a unit, the coordinates two: the pressure feels them through its slope.
-        const double rho2 = std::pow(along_a / pressure.a, 2) + std::pow(along_b / pressure.b, 2);
-        const double p0 = pressure.peak_pressure;
-        const double moved = 16 * unit * rho2;
-        const double p_error = rho2 < 1 + moved ? 4 * unit * p + p0 * std::min(std::sqrt(moved), moved * p0 / p) : 0;
-        const double u_error = 8 * unit * (approach + u);
-        return {{p, p_error}, {u, u_error}, {gap, p > 0 ? 0 : u_error + 8 * unit * height}};
-      }};
+  const double c = std::cos(direction.angle);
+  const double s = std::sin(direction.angle);
+  Pressed result{{answer_of(e, load, radii, modulus, direction), {}, {}},
+                 e.a,
+                 [=, approach = e.approach, one_minus_b_a = e.one_minus_b_a, large = radii.large, small = radii.small,
+                  one_minus_ratio = radii.one_minus_ratio](double x, double y) -> SurfacePoint {
+                   const double along_a = c * x + s * y;
+                   const double along_b = c * y - s * x;
+                   const double p = pressure.pressure(along_a, along_b);
+                   const double u = pressure.displacement(along_a, along_b, modulus);
+                   const double height = along_a * along_a / (2 * large) + along_b * along_b / (2 * small);
+                   const double gap = p > 0 ? 0 : std::max(height - approach + u, 0.);
+                   // The semi-axes carry a unit, the coordinates those of r and the direction: the pressure feels all by its slope.
+                   const double rho2 = std::pow(along_a / pressure.a, 2) + std::pow(along_b / pressure.b, 2);
+                   const double r = std::hypot(x, y);
+                   const double turned =
+                       std::min(direction.error * (2 * std::fabs(along_a * along_b) + direction.error * r * r), r * r);
+                   const double b_a = pressure.b / pressure.a;
+                   const double coordinates = 4 * unit * r / pressure.b *
+                                              (std::fabs(along_a) / pressure.a * b_a + std::fabs(along_b) / pressure.b);
+                   const double moved =
+                       16 * unit * rho2 + coordinates + turned / (pressure.b * pressure.b) * one_minus_b_a * (1 + b_a);
+                   const double p0 = pressure.peak_pressure;
+                   const double p_error =
+                       rho2 < 1 + moved ? 4 * unit * p + p0 * std::min(std::sqrt(moved), moved * p0 / p) : 0;
+                   const double height_error =
+                       8 * unit * height + 4 * unit * r * (std::fabs(along_a) / large + std::fabs(along_b) / small) +
+                       turned * one_minus_ratio / (2 * small);
+                   const double u_error = 8 * unit * (approach + u) + 2 * height_error / std::max(1., rho2);
+                   return {{p, p_error}, {u, u_error}, {gap, p > 0 ? 0 : u_error + height_error}};
+                 }};
   add_approximation(result, e.normal_force, radii, modulus);
   add_circles(result, radii);
   const double steepest = e.b / radii.small;
-  if (steepest > 0.1) {
+  if (steepest > narrow) {
     result.answer.warnings.push_back(
         fmt::format("b/R_small = {:.3g} is not small: the half-space theory leaves out terms of its square", steepest));
   }
