@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <type_traits>
 
-#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <patchgrip/cli/press/rounding.h>
 #include <patchgrip/contact/fingertip/power_law.h>
 #include <patchgrip/contact/fingertip/winkler.h>
 #include <patchgrip/contact/fingertip/xydas_kao.h>
@@ -18,8 +20,6 @@
 
 namespace patchgrip::cli {
 namespace {
-
-constexpr double unit = 0x1p-53;
 
 double force_of(const PressScene& scene) {
   const auto& load = std::get<StaticLoad>(scene.load);
@@ -36,28 +36,51 @@ std::function<double(double, double)> power_pressure(double radius, double n, do
 struct RoundPatch {
   double radius;
   std::function<double(double, double)> pressure;  // (r, a - r) -> [Pa]
+  double growth;                                   // |d ln p / d ln(a - r)| is at most that
+
+  // r carries a rounding, and so does its distance to the rim. At the rim a singular pressure is infinite.
+  Estimate pressure_at(double r) const {
+    if (std::fabs(radius - r) <= 4 * unit * radius) {
+      if (std::isinf(pressure(radius, 0))) return {pressure(radius, 0), pressure(radius, 0)};
+      return {r < radius ? pressure(r, radius - r) : 0, pressure(radius, 8 * unit * radius)};
+    }
+    if (r > radius) return {0, 0};
+    const double p = pressure(r, radius - r);
+    return {p, (16 + growth * (4 + 2 * radius / (radius - r))) * unit * p};
+  }
 };
+
+RoundPatch power_patch(double radius, double n, double force) {
+  return {radius, power_pressure(radius, n, force), std::fabs(n - 0.5)};
+}
 
 RoundPatch round_patch(const PatchVariant& any, double force) {
   return std::visit(
       [&](const auto& patch) -> RoundPatch {
         using P = std::decay_t<decltype(patch)>;
         if constexpr (std::is_same_v<P, friction::HertzDisc>) {
-          return {patch.radius(), power_pressure(patch.radius(), 1, force)};
+          return power_patch(patch.radius(), 1, force);
         } else if constexpr (std::is_same_v<P, friction::UniformDisc>) {
-          return {patch.radius(), power_pressure(patch.radius(), 0.5, force)};
+          return power_patch(patch.radius(), 0.5, force);
         } else if constexpr (std::is_same_v<P, friction::FlatPunchDisc>) {
-          return {patch.radius(), power_pressure(patch.radius(), 0, force)};
+          return power_patch(patch.radius(), 0, force);
         } else if constexpr (std::is_same_v<P, friction::PowerDisc>) {
           if (patch.exponent() < 0) throw std::invalid_argument("exponent: press takes 0 and above");
-          return {patch.radius(), power_pressure(patch.radius(), patch.exponent(), force)};
+          return power_patch(patch.radius(), patch.exponent(), force);
         } else if constexpr (std::is_same_v<P, friction::XydasKaoDisc>) {
           const auto p = contact::XydasKaoPressure::of(force, patch.radius(), patch.alpha());
-          return {patch.radius(), [=](double r, double inward) {
-                    // 1 - (r/a)^alpha close to the rim, from a - r.
-                    const double root = -std::expm1(p.alpha * std::log1p(-inward / p.contact_radius));
-                    return r > 0 ? p.peak_pressure * std::pow(root, 1 / p.alpha) : p.peak_pressure;
-                  }};
+          return {patch.radius(),
+                  [=](double r, double inward) {
+                    // 1 - (r/a)^alpha, from the smaller of r and a - r.
+                    const double level = r < inward ? 1 - std::pow(r / p.contact_radius, p.alpha)
+                                                    : -std::expm1(p.alpha * std::log1p(-inward / p.contact_radius));
+                    return p.peak_pressure * std::pow(level, 1 / p.alpha);
+                  },
+                  std::max(1., 2 / p.alpha)};
+        } else if constexpr (std::is_same_v<P, friction::SeedHertzDisc>) {
+          throw std::invalid_argument(
+              "patch: the seed's polynomials are fits of friction and have no pressure; give hertz_disc without "
+              "'model'");
         } else {
           throw std::invalid_argument("patch: press makes stamps of round pressures with a finite density");
         }
@@ -77,17 +100,64 @@ Pressed with_pressure(LawAnswer answer, const contact::XydasKaoPressure& p, doub
   return result;
 }
 
-Pressed press_power_law(std::string name, const contact::PowerLaw& law, double alpha, double force,
+Pressed press_power_law(std::string name, double alpha, const Estimate& force, const Estimate& radius,
                         std::string remark) {
-  const double a = law.contact_radius(force);
-  const auto p = contact::XydasKaoPressure::of(force, a, alpha);
-  const double relative = 4 * (1 + std::fabs(law.gamma * std::log(force))) * unit;
+  const auto p = contact::XydasKaoPressure::of(force.value, radius.value, alpha);
+  const double relative = force.error / force.value + 2 * radius.error / radius.value + 4 * unit;
   return with_pressure({std::move(name),
-                        {{"contact_radius", a, relative * a, "m"},
-                         {"normal_force", force, 0, "N"},
-                         {"peak_pressure", p.peak_pressure, (2 * relative + 2 * unit) * p.peak_pressure, "Pa"}},
+                        {{"contact_radius", radius.value, radius.error, "m"},
+                         {"normal_force", force.value, force.error, "N"},
+                         {"peak_pressure", p.peak_pressure, relative * p.peak_pressure, "Pa"}},
                         std::move(remark)},
-                       p, 4 * relative);
+                       p, relative + 4 * unit);
+}
+
+// a = c F^gamma for c and gamma right to so many units.
+Estimate radius_of(const contact::PowerLaw& law, double force, double units) {
+  const double a = law.contact_radius(force);
+  return {a, (4 + units * (1 + std::fabs(law.gamma * std::log(force)))) * unit * a};
+}
+
+// F = 2 pi c h^2 [y - ln(1 + y)], y = delta/h, h = R - delta (winkler.h), and its derivatives. p = c (1 - g) g falls where
+// a spring keeps less than half its length: so the force has a largest value, where F' = 0.
+double winkler_slope(const contact::WinklerFingertip& bed, double delta) {
+  const double h = bed.tip_radius - delta;
+  return 2 * std::numbers::pi * bed.spring_modulus * (2 * h * std::log1p(delta / h) - delta);
+}
+
+double winkler_bend(const contact::WinklerFingertip& bed, double delta) {  // -F''
+  return 2 * std::numbers::pi * bed.spring_modulus * (2 * std::log1p(delta / (bed.tip_radius - delta)) - 1);
+}
+
+double deepest_of(const contact::WinklerFingertip& bed) {
+  std::uintmax_t steps = 100;
+  const auto [lo, hi] =
+      boost::math::tools::toms748_solve([&](double delta) { return winkler_slope(bed, delta); }, 0.6 * bed.tip_radius,
+                                        0.9 * bed.tip_radius, boost::math::tools::eps_tolerance<double>(52), steps);
+  return lo + (hi - lo) / 2;
+}
+
+// delta on the branch that rises.
+Estimate winkler_approach(const contact::WinklerFingertip& bed, double force) {
+  const double deepest = deepest_of(bed);
+  const double most = bed.normal_force(deepest);
+  if (force > most) {
+    throw std::invalid_argument(
+        fmt::format("normal_force = {} is not allowed: the bed carries at most {} N", force, most));
+  }
+  if (force == most) return {deepest, std::sqrt(16 * unit * most / winkler_bend(bed, deepest))};
+  std::uintmax_t steps = 200;
+  const auto [lo, hi] = boost::math::tools::toms748_solve(
+      [&](double log_delta) { return std::log(bed.normal_force(std::exp(log_delta)) / force); },
+      std::log(1e-150 * bed.tip_radius), std::log(deepest), boost::math::tools::eps_tolerance<double>(52), steps);
+  const double delta = std::exp((lo + hi) / 2);
+  // The force at delta is as far off as is seen, and as it is rounded. Where it falls short of a straight line, F''
+  // limits the way to the root.
+  const double missed = std::fabs(bed.normal_force(delta) - force) + 4 * unit * force;
+  const double by_slope = 2 * missed / winkler_slope(bed, delta);
+  const double bend = winkler_bend(bed, delta) / 2;
+  const double error = bend > 0 ? std::min(by_slope, std::sqrt(2 * missed / bend)) : by_slope;
+  return {delta, error + unit * delta};
 }
 
 }  // namespace
@@ -111,10 +181,7 @@ Pressed press_given_pressure(const GivenPressure& given, const PressScene& scene
                  [inverse, patch](double x, double y) -> SurfacePoint {
                    const double r = std::hypot(x, y);
                    const auto u = inverse->displacement(r);
-                   const double p = r < patch.radius ? patch.pressure(r, patch.radius - r) : 0;
-                   // The distance to the rim carries half a unit of the radius.
-                   const double rim = r < patch.radius ? patch.radius / (patch.radius - r) : 0;
-                   return {{p, std::isfinite(p) ? (16 + 2 * rim) * unit * p : p}, {u.value, u.error}, {0, 0}};
+                   return {patch.pressure_at(r), {u.value, u.error}, {0, 0}};
                  }};
   return result;
 }
@@ -123,8 +190,15 @@ Pressed press_fingertip(const PowerLawFingertip& tip, const PressScene& scene) {
   const auto law = contact::PowerLaw::of(tip.coefficient, tip.exponent);
   const auto& load = std::get<StaticLoad>(scene.load);
   if (load.kind == LoadKind::approach) throw std::invalid_argument("approach: the power law says nothing of it");
-  const double force = load.kind == LoadKind::normal_force ? load.value : law.normal_force(load.value);
-  Pressed result = press_power_law("power_law", law, tip.alpha, force,
+  Estimate force{load.value, 0};
+  Estimate radius{load.value, 0};
+  if (load.kind == LoadKind::normal_force) {
+    radius = radius_of(law, load.value, 1);
+  } else {
+    const double F = law.normal_force(load.value);
+    force = {F, (2 + std::fabs(std::log(load.value / law.c))) / law.gamma * unit * F};  // power_law.h
+  }
+  Pressed result = press_power_law("power_law", tip.alpha, force, radius,
                                    "empirical: a = c F^gamma, pressure of Xydas and Kao (Keppler 4.3.2)");
   if (tip.exponent > 1. / 3.) {
     result.answer.warnings.emplace_back(
@@ -138,10 +212,11 @@ Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
   for (const auto& [force, radius] : tip.points) points.push_back({force, radius});
   const auto fit = contact::PowerLawFit::to(points);
   const double force = force_of(scene);
-  Pressed result = press_power_law("power_law_fit", fit.law, tip.alpha, force,
+  constexpr double units = 64;
+  Pressed result = press_power_law("power_law_fit", tip.alpha, {force, 0}, radius_of(fit.law, force, units),
                                    "least squares of ln a on ln F; limits by Student's t");
   const auto add = [&](const char* name, double value, const char* of) {
-    result.answer.main.results.push_back({name, value, 64 * unit * std::fabs(value), of});
+    result.answer.main.results.push_back(within(name, value, units, of));
   };
   add("c", fit.law.c, "m N^-gamma");
   add("gamma", fit.law.gamma, "1");
@@ -162,41 +237,32 @@ Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
 Pressed press_fingertip(const WinklerFingertip& tip, const PressScene& scene) {
   const auto bed = contact::WinklerFingertip::of(tip.radius, tip.bed);
   const auto& load = std::get<StaticLoad>(scene.load);
-  double approach = load.value;
-  double relative = 0;
   if (load.kind == LoadKind::contact_radius) {
     throw std::invalid_argument("contact_radius: the bed takes 'normal_force' or 'approach'");
   }
-  if (load.kind == LoadKind::normal_force) {
-    // p = c (1 - g) g falls where a spring keeps less than half its length: the force has a largest value.
-    const auto [deepest, minus_most] = boost::math::tools::brent_find_minima(
-        [&](double delta) { return -bed.normal_force(delta); }, 0.1 * tip.radius, (1 - 1e-12) * tip.radius, 30);
-    if (load.value > -minus_most) {
-      throw std::invalid_argument(
-          fmt::format("normal_force = {} is not allowed: the bed carries at most {} N", load.value, -minus_most));
-    }
-    std::uintmax_t steps = 200;
-    const auto [lo, hi] = boost::math::tools::toms748_solve(
-        [&](double log_delta) { return std::log(bed.normal_force(std::exp(log_delta)) / load.value); },
-        std::log(1e-150 * tip.radius), std::log(deepest), boost::math::tools::eps_tolerance<double>(52), steps);
-    approach = std::exp((lo + hi) / 2);
-    relative = 1e-13;  // of the logarithm, and F ~ delta^2
-  }
-  const double a = bed.contact_radius(approach);
-  const double p = bed.peak_pressure(approach);
-  const double force = load.kind == LoadKind::normal_force ? load.value : bed.normal_force(approach);
+  const bool by_force = load.kind == LoadKind::normal_force;
+  const Estimate approach = by_force ? winkler_approach(bed, load.value) : Estimate{load.value, 0};
+  const double delta = approach.value;
+  const double left = tip.radius - delta;
+  const double a = bed.contact_radius(delta);
+  const double force = by_force ? load.value : bed.normal_force(delta);
+  // Once the middle keeps less than half its length, the largest pressure is that of a ring around it.
+  const bool ring = delta > left;
+  const double p = ring ? tip.bed / 4 : bed.peak_pressure(delta);
+  const double p_moved = ring ? 0 : tip.bed * approach.error / tip.radius;
   Pressed result{{{"winkler",
-                   {{"contact_radius", a, (relative + 2 * unit) * a, "m"},
-                    {"normal_force", force, load.kind == LoadKind::normal_force ? 0 : 2 * unit * force, "N"},
-                    {"approach", approach, relative * approach, "m"},
-                    {"peak_pressure", p, (relative + 2 * unit) * p, "Pa"}},
+                   {{"contact_radius", a, 2 * unit * a + approach.error * left / a, "m"},
+                    {"normal_force", force, by_force ? 0 : 2 * unit * force, "N"},
+                    {"approach", delta, approach.error, "m"},
+                    {"peak_pressure", p, 2 * unit * p + p_moved, "Pa"}},
                    "independent springs: the radius is sqrt(2) times that of an elastic ball at the same approach"},
                   {},
                   {}},
                  a,
                  [=](double x, double y) -> SurfacePoint {
-                   const double pressure = bed.inclined_pressure(approach, 0, x, y);
-                   return {{pressure, (relative + 32 * unit) * p}};
+                   const double pressure = bed.inclined_pressure(delta, 0, x, y);
+                   // dp/d(delta) is at most c / h, h = R - delta.
+                   return {{pressure, 2 * unit * pressure + tip.bed * (0x1p-60 + approach.error / left)}};
                  }};
   result.knows_displacement = false;
   return result;
