@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +13,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include <patchgrip/cli/press/loaded.h>
+#include <patchgrip/cli/press/rounding.h>
 #include <patchgrip/cli/scene/profile_of.h>
 #include <patchgrip/contact/axisymmetric.h>
 #include <patchgrip/contact/dundurs.h>
@@ -22,23 +25,46 @@ namespace {
 
 using contact::AxisymmetricContact;
 
-constexpr double unit = 0x1p-53;
-constexpr double narrow = 0.1;  // a/R from which on the shape beyond its curvature is worth a warning
-
-// Where the pressure is largest; nothing where it is infinite.
-template <class Contact>
-std::optional<double> radius_of_peak(const Contact& c) {
-  constexpr int steps = 64;
-  int best = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double p = c.pressure(c.radius() * i / steps);
-    if (!std::isfinite(p)) return std::nullopt;
-    if (p > c.pressure(c.radius() * best / steps)) best = i;
+// Where the slope of the stamp jumps the pressure is infinite, and no look at some radii would find that out.
+template <contact::Profile P>
+bool pressure_is_finite(const AxisymmetricContact<P>& c) {
+  if constexpr (std::same_as<P, contact::FlatEndParaboloid> || std::same_as<P, contact::FlatEndCone> ||
+                std::same_as<P, contact::Cone> || std::same_as<P, contact::PointProfile>) {
+    return false;
+  } else {
+    return std::isfinite(c.pressure(0));  // a tip, a power not above 1
   }
-  const double lo = c.radius() * std::max(best - 1, 0) / steps;
-  const double hi = c.radius() * (best + 1) / steps;
-  const auto [r, minus_p] = boost::math::tools::brent_find_minima([&](double x) { return -c.pressure(x); }, lo, hi, 40);
-  return -minus_p > c.pressure(0) ? r : 0;
+}
+
+// The largest pressure, where it is finite: searched over t = ln(r / (a - r)), as it may be close to the rim.
+template <contact::Profile P>
+Estimate peak_of(const AxisymmetricContact<P>& c) {
+  constexpr double far = 24;
+  constexpr double step = 0.5;
+  const double a = c.radius();
+  const auto radius = [a](double t) {
+    return t < 0 ? a * (std::exp(t) / (1 + std::exp(t))) : a - a / (1 + std::exp(t));
+  };
+  const auto pressure = [&](double t) { return c.pressure(radius(t)); };
+  double best = -far;
+  double most = pressure(best);
+  for (double t = -far + step; t <= far; t += step) {
+    const double p = pressure(t);
+    if (p > most) {
+      best = t;
+      most = p;
+    }
+  }
+  const auto [offset, minus_p] = boost::math::tools::brent_find_minima(
+      [&](double x) { return -pressure(best + x); }, -step, step, std::numeric_limits<double>::digits / 2);
+  if (c.pressure(0) >= -minus_p) return {c.pressure(0), c.pressure_error(0) + 4 * unit * c.pressure(0)};
+  // Where p bends downwards, its maximum between two neighbors is not further above the point found than those are
+  // below; twice the error of p, as it misleads the search, too.
+  constexpr double neighbor = 0x1p-22;
+  const double t = best + offset;
+  const double change =
+      std::max(std::fabs(-minus_p - pressure(t - neighbor)), std::fabs(-minus_p - pressure(t + neighbor)));
+  return {-minus_p, 2 * c.pressure_error(radius(t)) + change};
 }
 
 template <contact::Profile P>
@@ -51,10 +77,9 @@ LawAnswer answer_of(std::string law, const AxisymmetricContact<P>& c, std::strin
                     {"approach", c.approach(), c.approach_error(), "m"},
                     {"stiffness", c.stiffness(), c.stiffness_error(), "N/m"},
                     {"mean_pressure", c.mean_pressure(), mean_error, "Pa"}};
-  if (const auto r = radius_of_peak(c)) {
-    // Brent's search leaves the peak within 2^-40 of the scale of r, the pressure within the square of that.
-    const double p = c.pressure(*r);
-    answer.results.push_back({"peak_pressure", p, c.pressure_error(*r) + 4 * unit * p, "Pa"});
+  if (pressure_is_finite(c)) {
+    const Estimate peak = peak_of(c);
+    answer.results.push_back({"peak_pressure", peak.value, peak.error, "Pa"});
   }
   return answer;
 }
@@ -104,7 +129,7 @@ void warn_of_infinite_pressure(Pressed& pressed) {
 }
 
 void add_modulus(Pressed& pressed, double modulus) {
-  pressed.answer.main.results.push_back({"contact_modulus", modulus, 1.01 * unit * modulus, "Pa"});
+  pressed.answer.main.results.push_back(within("contact_modulus", modulus, 1.01, "Pa"));
 }
 
 void add_other_spheres(Pressed& pressed, const SphereStamp& stamp, const StaticLoad& load, double modulus) {
@@ -124,25 +149,24 @@ Pressed press_flat_punch(const FlatPunchStamp& stamp, const StaticLoad& load, do
   const auto punch = load.kind == LoadKind::normal_force
                          ? contact::FlatPunch::under_force(stamp.radius, load.value, modulus)
                          : contact::FlatPunch::at_approach(stamp.radius, load.value, modulus);
-  const auto bounded = [](std::string name, double value, double units, std::string of) {
-    return Result{std::move(name), value, units * unit * value, std::move(of)};
-  };
-  Pressed result{{{"flat_punch",
-                   {bounded("contact_radius", punch.radius, 0, "m"), bounded("normal_force", punch.force, 2, "N"),
-                    bounded("approach", punch.approach, 2, "m"), bounded("stiffness", punch.stiffness(), 2, "N/m"),
-                    bounded("central_pressure", punch.pressure(0), 5, "Pa"),
-                    bounded("strain_energy", punch.strain_energy(), 4, "J")},
-                   "a rigid flat-ended cylinder on a half-space"},
-                  {},
-                  {"the pressure is infinite at the edge (in theory: integrable): no peak pressure"}},
-                 punch.radius,
-                 [punch](double x, double y) -> SurfacePoint {
-                   const double r = std::hypot(x, y);
-                   const double p = punch.pressure(r);
-                   const double u = punch.displacement(r);
-                   // Beyond the edge the punch has no face.
-                   return {{p, std::isfinite(p) ? 5 * unit * p : p}, {u, 4 * unit * u}, {0, 0}};
-                 }};
+  Pressed result{
+      {{"flat_punch",
+        {within("contact_radius", punch.radius, 0, "m"),
+         within("normal_force", punch.force, load.kind == LoadKind::normal_force ? 0 : 2, "N"),
+         within("approach", punch.approach, load.kind == LoadKind::approach ? 0 : 2, "m"),
+         within("stiffness", punch.stiffness(), 2, "N/m"), within("central_pressure", punch.pressure(0), 5, "Pa"),
+         within("strain_energy", punch.strain_energy(), 4, "J")},
+        "a rigid flat-ended cylinder on a half-space"},
+       {},
+       {"the pressure is infinite at the edge (in theory: integrable): no peak pressure"}},
+      punch.radius,
+      [punch](double x, double y) -> SurfacePoint {
+        const double r = std::hypot(x, y);
+        const double p = punch.pressure(r);
+        const double u = punch.displacement(r);
+        // Beyond the edge the punch has no face.
+        return {{p, std::isfinite(p) ? 5 * unit * p : p}, {u, 4 * unit * u}, {0, 0}};
+      }};
   return result;
 }
 
@@ -155,15 +179,24 @@ void add_stick(Pressed& pressed, const BodyPair& pair, double mu) {
     results.push_back({"one_minus_stick_radius_ratio", 0, 0, "1"});
     return;
   }
-  // beta / mu carries three units, which 1 - s feels with the factor of its exponent.
-  const auto s = contact::StickRatio::of(beta / mu);
-  const double sensitivity = 3 + std::min(-s.log_slip, beta / mu * 10);
-  results.push_back({"stick_radius_ratio", s.stick, 8 * unit * sensitivity * s.stick, "1"});
-  results.push_back({"one_minus_stick_radius_ratio", s.slip, 8 * unit * (3 - s.log_slip) * s.slip, "1"});
-  const auto printed = contact::seed_printed_stick_ratio(4 * beta / mu);
-  pressed.answer.beside.push_back({"stick_as_printed",
-                                   {{"stick_radius_ratio", printed.stick, 8 * unit * sensitivity * printed.stick, "1"}},
-                                   "the relation that Keppler 4.1.4 prints, with the right side inverted"});
+  // beta carries a unit, and 2^-62 where similar bodies nearly cancel; both ratios are monotone in beta / mu.
+  const double chi = beta / mu;
+  const double uncertain = 0x1p-62 / beta + 4 * unit;
+  const auto s = contact::StickRatio::of(chi);
+  const auto error = [&](double value, double at_less, double at_more) {
+    return std::max(std::fabs(at_less - value), std::fabs(at_more - value)) + 8 * unit * value;
+  };
+  const auto more = contact::StickRatio::of(chi * (1 + uncertain));
+  const auto less = uncertain < 1 ? contact::StickRatio::of(chi * (1 - uncertain)) : contact::StickRatio{1, 0, 0, 0};
+  results.push_back({"stick_radius_ratio", s.stick, error(s.stick, less.stick, more.stick), "1"});
+  results.push_back({"one_minus_stick_radius_ratio", s.slip, error(s.slip, less.slip, more.slip), "1"});
+  // Of what is printed beta / mu stands in the denominator: the ratio grows with it, from 0.
+  const auto printed = [mu](double any_beta) { return contact::seed_printed_stick_ratio(4 * any_beta / mu).stick; };
+  const double low = uncertain < 1 ? printed(beta * (1 - uncertain)) : 0;
+  pressed.answer.beside.push_back(
+      {"stick_as_printed",
+       {{"stick_radius_ratio", printed(beta), error(printed(beta), low, printed(beta * (1 + uncertain))), "1"}},
+       "the relation that Keppler 4.1.4 prints, with the right side inverted"});
 }
 
 }  // namespace
@@ -175,7 +208,7 @@ Pressed press_balls(const BodyPair& pair, const PressScene& scene) {
   Pressed result = pressed("hertz", loaded(contact::Paraboloid::of_radius(radius), load, modulus),
                            "two paraboloids, circle of contact small against the radii");
   add_modulus(result, modulus);
-  result.answer.main.results.push_back({"relative_radius", radius, 1.01 * unit * radius, "m"});
+  result.answer.main.results.push_back(within("relative_radius", radius, 1.01, "m"));
   try_beside(result, "sphere", contact::Sphere::of_radius(radius), load, modulus,
              "a rigid sphere of the relative radius on a half-space: what Hertz leaves out of the shape");
   if (scene.mu && *scene.mu > 0) add_stick(result, pair, *scene.mu);
