@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include <patchgrip/cli/press/loaded.h>
+#include <patchgrip/cli/press/rounding.h>
 #include <patchgrip/contact/adhesion/dmt.h>
 #include <patchgrip/contact/adhesion/jkr.h>
 #include <patchgrip/contact/adhesion/maugis_dugdale.h>
-#include <patchgrip/contact/adhesion/tabor.h>
 #include <patchgrip/contact/paraboloid.h>
 
 namespace patchgrip::cli {
@@ -23,10 +24,6 @@ using contact::Dmt;
 using contact::Jkr;
 using contact::MaugisDugdale;
 using contact::MaugisState;
-
-constexpr double unit = 0x1p-53;
-constexpr double jkr_from = 5;     // lambda above which JKR holds (tabor.h)
-constexpr double dmt_up_to = 0.1;  // lambda below which DMT holds
 
 // Errors of force and approach are relative to the larger of their two terms.
 struct Terms {
@@ -40,19 +37,72 @@ Terms terms_of(const AdhesiveSphere& sphere, const AdhesiveState& s) {
           a * a / sphere.relative_radius + std::fabs(s.approach)};
 }
 
-std::vector<Result> results_of(const AdhesiveSphere& sphere, const AdhesiveState& s, double units) {
-  const Terms terms = terms_of(sphere, s);
-  return {{"contact_radius", s.contact_radius, units * unit * s.contact_radius, "m"},
-          {"normal_force", s.normal_force, units * unit * terms.force, "N"},
-          {"approach", s.approach, units * unit * terms.approach, "m"}};
+// Relative errors; what is given has none.
+struct Relative {
+  double radius;
+  double force;     // of the larger term
+  double approach;  // of the larger term
+};
+
+Relative without_given(Relative errors, LoadKind given) {
+  if (given == LoadKind::contact_radius) errors.radius = 0;
+  if (given == LoadKind::normal_force) errors.force = 0;
+  if (given == LoadKind::approach) errors.approach = 0;
+  return errors;
 }
 
-void add_state(std::vector<Result>& results, const std::string& name, const AdhesiveSphere& sphere,
-               const AdhesiveState& s, double units) {
+std::vector<Result> results_of(const AdhesiveSphere& sphere, const AdhesiveState& s, const Relative& errors) {
   const Terms terms = terms_of(sphere, s);
-  results.push_back({name + "_force", s.normal_force, units * unit * terms.force, "N"});
-  results.push_back({name + "_radius", s.contact_radius, units * unit * s.contact_radius, "m"});
-  results.push_back({name + "_approach", s.approach, units * unit * terms.approach, "m"});
+  return {{"contact_radius", s.contact_radius, errors.radius * s.contact_radius, "m"},
+          {"normal_force", s.normal_force, errors.force * terms.force, "N"},
+          {"approach", s.approach, errors.approach * terms.approach, "m"}};
+}
+
+// A state that is told by a condition; a zero is that condition.
+void add_state(std::vector<Result>& results, const std::string& name, const AdhesiveSphere& sphere,
+               const AdhesiveState& s) {
+  constexpr double relative = 4 * unit;
+  const Terms terms = terms_of(sphere, s);
+  results.push_back({name + "_force", s.normal_force, s.normal_force == 0 ? 0 : relative * terms.force, "N"});
+  results.push_back({name + "_radius", s.contact_radius, relative * s.contact_radius, "m"});
+  results.push_back({name + "_approach", s.approach, s.approach == 0 ? 0 : relative * terms.approach, "m"});
+}
+
+void add_bodies(std::vector<Result>& results, const AdhesiveSphere& sphere) {
+  results.push_back(within("contact_modulus", sphere.contact_modulus, 1.01, "Pa"));
+  results.push_back(within("relative_radius", sphere.relative_radius, 1.01, "m"));
+}
+
+// y = sqrt(2 pi w R^2 / (E* a^3)): the tension over the pressure of JKR (jkr.h).
+double jkr_tension(const AdhesiveSphere& sphere, double contact_radius) {
+  const long double a = contact_radius;
+  const long double R = sphere.relative_radius;
+  return static_cast<double>(std::sqrt(2 * std::numbers::pi_v<long double> * sphere.work_of_adhesion * R * R /
+                                       (sphere.contact_modulus * a * a * a)));
+}
+
+// Relative error of the radius of JKR before it is rounded. At a given approach it is that of t = (4/y)^(1/3) - 1, whose
+// square is found to 2^-61: large next to the pull-off.
+double jkr_unrounded(LoadKind given, double y) {
+  constexpr double finest = 0x1p-60;
+  if (given == LoadKind::contact_radius) return 0;
+  if (given == LoadKind::normal_force) return finest;
+  const double t = std::cbrt(4 / y) - 1;
+  return t > 0x1p-30 ? finest + finest / t : 0x1p-30;
+}
+
+Relative jkr_errors(LoadKind given, double unrounded) {
+  // F_1 (4 - 3y) 3/4 and delta_1 (4 - y) / 2 times that of a: at most one and two times the larger terms.
+  return without_given({2 * unit + unrounded, 4 * unit + unrounded, 4 * unit + 2 * unrounded}, given);
+}
+
+// dF/d(delta) = 2 E* a (4 - 3y)/(4 - y) has a zero and a pole. Nothing where the pole is within the error of y.
+std::optional<Result> jkr_stiffness(const AdhesiveSphere& sphere, const AdhesiveState& s, double y, double unrounded) {
+  const double moved = y * (1.5 * unrounded + 0x1p-60);
+  const double from_pole = std::fabs(4 - y);
+  if (!std::isfinite(s.stiffness) || !(moved < from_pole / 2)) return std::nullopt;
+  const double by_y = 2 * sphere.contact_modulus * s.contact_radius * 8 * moved / (from_pole * (from_pole - moved));
+  return Result{"stiffness", s.stiffness, std::fabs(s.stiffness) * (4 * unit + unrounded) + 2 * by_y, "N/m"};
 }
 
 AdhesiveState state_of(const Jkr& jkr, const StaticLoad& load) {
@@ -62,36 +112,37 @@ AdhesiveState state_of(const Jkr& jkr, const StaticLoad& load) {
 
 LawAnswer jkr_answer(const AdhesiveSphere& sphere, const StaticLoad& load) {
   const Jkr jkr(sphere);
-  constexpr double units = 8;
   const AdhesiveState s = state_of(jkr, load);
-  LawAnswer answer{"jkr", results_of(sphere, s, units),
+  const double y = jkr_tension(sphere, s.contact_radius);
+  const double unrounded = jkr_unrounded(load.kind, y);
+  LawAnswer answer{"jkr", results_of(sphere, s, jkr_errors(load.kind, unrounded)),
                    "Johnson, Kendall, Roberts: attraction of short range at the rim (large Tabor parameter)"};
-  if (std::isfinite(s.stiffness)) {
-    answer.results.push_back({"stiffness", s.stiffness, 64 * unit * std::fabs(s.stiffness), "N/m"});
-  }
-  add_state(answer.results, "pull_off", sphere, jkr.load_pull_off(), units);
-  add_state(answer.results, "pull_off_held", sphere, jkr.displacement_pull_off(), units);
-  add_state(answer.results, "jump_in", sphere, jkr.jump_in(), units);
-  add_state(answer.results, "no_load", sphere, jkr.no_load(), units);
+  if (const auto stiffness = jkr_stiffness(sphere, s, y, unrounded)) answer.results.push_back(*stiffness);
+  add_state(answer.results, "pull_off", sphere, jkr.load_pull_off());
+  add_state(answer.results, "pull_off_held", sphere, jkr.displacement_pull_off());
+  add_state(answer.results, "jump_in", sphere, jkr.jump_in());
+  add_state(answer.results, "no_load", sphere, jkr.no_load());
   return answer;
 }
 
 AdhesiveState state_of(const Dmt& dmt, const StaticLoad& load) {
   if (load.kind == LoadKind::normal_force) return dmt.under_force(load.value);
   if (load.kind == LoadKind::approach) return dmt.at_approach(load.value);
-  return dmt.at_approach(load.value * load.value / dmt.sphere.relative_radius);
+  AdhesiveState state = dmt.at_approach(load.value * load.value / dmt.sphere.relative_radius);
+  state.contact_radius = load.value;
+  return state;
 }
 
 LawAnswer dmt_answer(const AdhesiveSphere& sphere, const StaticLoad& load) {
   const Dmt dmt(sphere);
-  constexpr double units = 8;
   const auto s = state_of(dmt, load);
+  constexpr double relative = 4 * unit;
   LawAnswer answer{
-      "dmt", results_of(sphere, s, units),
+      "dmt", results_of(sphere, s, without_given({relative, relative, relative}, load.kind)),
       "Derjaguin, Muller, Toporov: attraction of long range outside a Hertz contact (small Tabor parameter)"};
-  answer.results.push_back({"stiffness", s.stiffness, units * unit * s.stiffness, "N/m"});
-  add_state(answer.results, "pull_off", sphere, dmt.pull_off(), units);
-  add_state(answer.results, "no_load", sphere, dmt.no_load(), units);
+  answer.results.push_back(within("stiffness", s.stiffness, 4, "N/m"));
+  add_state(answer.results, "pull_off", sphere, dmt.pull_off());
+  add_state(answer.results, "no_load", sphere, dmt.no_load());
   return answer;
 }
 
@@ -112,22 +163,20 @@ MaugisState state_of(const MaugisDugdale& maugis, const StaticLoad& load) {
   throw std::invalid_argument("approach: with a stress of adhesion give normal_force or contact_radius");
 }
 
-LawAnswer maugis_answer(const MaugisDugdale& maugis, const MaugisState& s) {
+LawAnswer maugis_answer(const MaugisDugdale& maugis, const MaugisState& s, LoadKind given) {
   const AdhesiveSphere& sphere = maugis.sphere();
   // What an error of the radius does to force and approach is below their larger terms times three.
   const double relative = 3 * s.relative_radius_error + 4 * unit;
-  const Terms terms = terms_of(sphere, {s.normal_force, s.approach, s.contact_radius, 0});
+  const AdhesiveState state{s.normal_force, s.approach, s.contact_radius, 0};
   const MaugisState off = maugis.pull_off();
   const double lambda = maugis.maugis_parameter();
-  return {"maugis_dugdale",
-          {{"contact_radius", s.contact_radius, relative * s.contact_radius, "m"},
-           {"outer_radius", s.outer_radius, relative * s.outer_radius, "m"},
-           {"normal_force", s.normal_force, relative * terms.force, "N"},
-           {"approach", s.approach, relative * terms.approach, "m"},
-           {"maugis_parameter", lambda, 2 * unit * lambda, "1"},
-           {"pull_off_force", off.normal_force, 4 * unit * std::fabs(off.normal_force), "N"},
-           {"pull_off_radius", off.contact_radius, 4 * unit * off.contact_radius, "m"}},
-          "Maugis, Dugdale: a constant attraction in a ring around the contact, between JKR and DMT"};
+  LawAnswer answer{"maugis_dugdale", results_of(sphere, state, without_given({relative, relative, relative}, given)),
+                   "Maugis, Dugdale: a constant attraction in a ring around the contact, between JKR and DMT"};
+  answer.results.push_back({"outer_radius", s.outer_radius, relative * s.outer_radius, "m"});
+  answer.results.push_back(within("maugis_parameter", lambda, 2, "1"));
+  answer.results.push_back(within("pull_off_force", off.normal_force, 4, "N"));
+  answer.results.push_back(within("pull_off_radius", off.contact_radius, 4, "m"));
+  return answer;
 }
 
 // A law beside the main one; where it has no contact under this load, a warning.
@@ -140,40 +189,54 @@ void try_beside(Pressed& pressed, std::string_view law, F&& answer) {
   }
 }
 
-// JKR is Hertz and a flat punch that is pulled.
-std::function<SurfacePoint(double, double)> jkr_surface(const AdhesiveSphere& sphere, const AdhesiveState& state) {
+// JKR is Hertz and a flat punch that is pulled. `errors` of the state: the pressure is infinite where r may be a.
+std::function<SurfacePoint(double, double)> jkr_surface(const AdhesiveSphere& sphere, const AdhesiveState& state,
+                                                        const Relative& errors) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   return [=](double x, double y) -> SurfacePoint {
     const double r = std::hypot(x, y);
     const double a = state.contact_radius;
+    const double relative = errors.radius + 2 * unit;  // r is rounded, too
+    const double moved = relative * a;
     const auto paraboloid = contact::Paraboloid::of_radius(sphere.relative_radius);
     const double height = paraboloid.height(r);
     const double deeper = a * a / sphere.relative_radius;  // of the Hertz contact of this radius
-    const double size = 32 * unit * (deeper + height + std::fabs(state.approach));
-    if (r < a) {
+    const double pulled = deeper - state.approach;
+    const double size =
+        32 * unit * (deeper + height + std::fabs(state.approach)) + errors.approach * terms_of(sphere, state).approach;
+    Estimate pressure{0, 0};
+    if (std::fabs(r - a) <= moved) {
+      pressure = {-infinity, infinity};
+    } else if (r < a) {
       const double p = Jkr(sphere).pressure(a, r);
       const double hertz = sphere.contact_modulus * paraboloid.pressure(r, a);
-      return {{p, 32 * unit * (hertz + std::fabs(p)) * a / (a - r)}, {state.approach - height, size}, {0, 0}};
+      pressure = {p, (2 * hertz + std::fabs(p)) * (8 * unit + 2 * relative * (1 + a / (a - r - moved)))};
     }
-    const double pulled = deeper - state.approach;
+    if (r < a) return {pressure, {state.approach - height, size}, {0, 0}};
     const double u = paraboloid.displacement(r, a) - 2 * pulled * std::asin(a / r) / std::numbers::pi;
-    return {{0, 0}, {u, size}, {std::max(height - state.approach + u, 0.), 2 * size}};
+    // The angle falls from its end like a root.
+    const double turned = 4 * moved / std::sqrt(std::max(r - a, moved) * (r + a));
+    const double error = size + 2 * relative * (deeper + pulled) + pulled * turned;
+    return {pressure, {u, error}, {std::max(height - state.approach + u, 0.), 2 * error}};
   };
 }
 
 Pressed press_jkr(const AdhesiveSphere& sphere, const StaticLoad& load) {
   const AdhesiveState state = state_of(Jkr(sphere), load);
-  Pressed result{{jkr_answer(sphere, load), {}, {}}, state.contact_radius, jkr_surface(sphere, state)};
+  const double unrounded = jkr_unrounded(load.kind, jkr_tension(sphere, state.contact_radius));
+  Pressed result{{jkr_answer(sphere, load), {}, {}},
+                 state.contact_radius,
+                 jkr_surface(sphere, state, jkr_errors(load.kind, unrounded))};
   result.answer.warnings.emplace_back(
       "how far the attraction reaches is not given ([adhesion] stress or equilibrium_distance): JKR is taken, which "
-      "holds "
-      "for a short reach");
+      "holds for a short reach");
   return result;
 }
 
 Pressed press_maugis(const AdhesiveSphere& sphere, double stress, const StaticLoad& load) {
   const auto maugis = MaugisDugdale::of(sphere, stress);
   const MaugisState state = state_of(maugis, load);
-  Pressed result{{maugis_answer(maugis, state), {}, {}}, state.contact_radius};
+  Pressed result{{maugis_answer(maugis, state, load.kind), {}, {}}, state.contact_radius};
   try_beside(result, "jkr", [&] { return jkr_answer(sphere, load); });
   return result;
 }
@@ -187,7 +250,8 @@ Pressed press_adhesive(double relative_radius, double contact_modulus, const Pre
       scene.adhesion->stress ? press_maugis(sphere, *scene.adhesion->stress, load) : press_jkr(sphere, load);
   try_beside(result, "dmt", [&] { return dmt_answer(sphere, load); });
   try_beside(result, "hertz", [&] { return hertz_answer(sphere, load); });
-  if (result.extent > 0.1 * relative_radius) {
+  add_bodies(result.answer.main.results, sphere);
+  if (result.extent > narrow * relative_radius) {
     result.answer.warnings.push_back(fmt::format(
         "a/R = {:.3g} is not small: slopes of that order are outside the theory", result.extent / relative_radius));
   }
