@@ -81,8 +81,8 @@ double jkr_tension(const AdhesiveSphere& sphere, double contact_radius) {
                                        (sphere.contact_modulus * a * a * a)));
 }
 
-// Relative error of the radius of JKR before it is rounded. At a given approach it is that of t = (4/y)^(1/3) - 1, whose
-// square is found to 2^-61: large next to the pull-off.
+// Relative error of the radius of JKR before it is rounded. At a given approach it is that of t = (4/y)^(1/3) - 1,
+// whose square is found to 2^-61: large next to the pull-off.
 double jkr_unrounded(LoadKind given, double y) {
   constexpr double finest = 0x1p-60;
   if (given == LoadKind::contact_radius) return 0;

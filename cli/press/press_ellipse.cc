@@ -132,7 +132,7 @@ Pressed press_ellipse(const CurvedSurface& first, const CurvedSurface& second, d
                    const double u = pressure.displacement(along_a, along_b, modulus);
                    const double height = along_a * along_a / (2 * large) + along_b * along_b / (2 * small);
                    const double gap = p > 0 ? 0 : std::max(height - approach + u, 0.);
-                   // The semi-axes carry a unit, the coordinates those of r and the direction: the pressure feels all by its slope.
+                   // The semi-axes carry a unit, the coordinates those of r and the direction: p feels it by its slope.
                    const double rho2 = std::pow(along_a / pressure.a, 2) + std::pow(along_b / pressure.b, 2);
                    const double r = std::hypot(x, y);
                    const double turned =

@@ -118,8 +118,8 @@ Estimate radius_of(const contact::PowerLaw& law, double force, double units) {
   return {a, (4 + units * (1 + std::fabs(law.gamma * std::log(force)))) * unit * a};
 }
 
-// F = 2 pi c h^2 [y - ln(1 + y)], y = delta/h, h = R - delta (winkler.h), and its derivatives. p = c (1 - g) g falls where
-// a spring keeps less than half its length: so the force has a largest value, where F' = 0.
+// F = 2 pi c h^2 [y - ln(1 + y)], y = delta/h, h = R - delta (winkler.h), and its derivatives. p = c (1 - g) g falls
+// where a spring keeps less than half its length: so the force has a largest value, where F' = 0.
 double winkler_slope(const contact::WinklerFingertip& bed, double delta) {
   const double h = bed.tip_radius - delta;
   return 2 * std::numbers::pi * bed.spring_modulus * (2 * h * std::log1p(delta / h) - delta);
@@ -249,9 +249,10 @@ Pressed press_fingertip(const WinklerFingertip& tip, const PressScene& scene) {
   // Once the middle keeps less than half its length, the largest pressure is that of a ring around it.
   const bool ring = delta > left;
   const double p = ring ? tip.bed / 4 : bed.peak_pressure(delta);
+  const double a_error = 2 * unit * a + approach.error * left / a;
   const double p_moved = ring ? 0 : tip.bed * approach.error / tip.radius;
   Pressed result{{{"winkler",
-                   {{"contact_radius", a, 2 * unit * a + approach.error * left / a, "m"},
+                   {{"contact_radius", a, a_error, "m"},
                     {"normal_force", force, by_force ? 0 : 2 * unit * force, "N"},
                     {"approach", delta, approach.error, "m"},
                     {"peak_pressure", p, 2 * unit * p + p_moved, "Pa"}},
@@ -260,6 +261,7 @@ Pressed press_fingertip(const WinklerFingertip& tip, const PressScene& scene) {
                   {}},
                  a,
                  [=](double x, double y) -> SurfacePoint {
+                   if (std::hypot(x, y) > a + 2 * a_error) return {{0, 0}};
                    const double pressure = bed.inclined_pressure(delta, 0, x, y);
                    // dp/d(delta) is at most c / h, h = R - delta.
                    return {{pressure, 2 * unit * pressure + tip.bed * (0x1p-60 + approach.error / left)}};
