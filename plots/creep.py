@@ -42,7 +42,8 @@ def main():
     figure, (grows, shrinks) = plt.subplots(1, 2, sharex=True, sharey=True, figsize=(style.PAGE, 3.6))
     draw(grows, measured, "0.4", "contact grows: relative error of the approach [-]")
     draw(shrinks, measured, "0.9", "contact shrinks")
-    grows.text(8e5, ROUNDING / 1.7, r"rounding, $2^{-53}$", ha="right", va="top", color=GREY)
+    grows.text(0.97, ROUNDING / 1.7, r"rounding, $2^{-53}$", ha="right", va="top", color=GREY,
+               transform=grows.get_yaxis_transform())
     grows.set_ylim(1e-18, 3)
     handles, labels = grows.get_legend_handles_labels()
     figure.get_layout_engine().set(rect=(0, 0.17, 1, 0.83))

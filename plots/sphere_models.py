@@ -30,8 +30,10 @@ def main():
         axes.set_title(f"$a_K / R = {ratio:g}$", loc="left")
         axes.set_xlabel("time of a contact [ns]")
     panels[0].set_ylabel("relative error of the force [-]")
-    panels[-1].text(1e8, ROUNDING / 1.5, r"rounding, $2^{-53}$", color=GREY, ha="right", va="top")
-    panels[0].legend(loc="center right")
+    panels[-1].text(0.97, 1.5 * ROUNDING, r"rounding, $2^{-53}$", color=GREY, ha="right", va="bottom",
+                    transform=panels[-1].get_yaxis_transform())
+    figure.get_layout_engine().set(rect=(0, 0.1, 1, 0.9))
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=3)
     panels[0].set_ylim(1e-17, 3)
     style.save(figure, options.output)
 
