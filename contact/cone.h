@@ -1,6 +1,6 @@
 // Cone, f = s r: the sharp tip that all hardness tests come back to.
 //
-//     delta = (pi/2) s a,   F/E* = (pi/2) s a^2,   p/E* = (s/2) arcosh(a/r)                     (Love 1939; Sneddon 1965)
+//     delta = (pi/2) s a,   F/E* = (pi/2) s a^2,   p/E* = (s/2) arcosh(a/r)                   (Love 1939; Sneddon 1965)
 //     u_z   = s [a arcsin(a/r) + sqrt(r^2 - a^2) - r],   r > a
 //
 // Domain   slope s > 0; small in theory, since surfaces are taken as flat.

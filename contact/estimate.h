@@ -1,4 +1,5 @@
-// A number and how far from the truth it may be: a bound where the header of what gives it says bound, else an estimate.
+// A number and how far from the truth it may be: a bound where the header of what gives it says bound, else an
+// estimate.
 #pragma once
 
 namespace patchgrip::contact {

@@ -1,7 +1,7 @@
 // Flat-ended rigid cylinder of radius a: the one round contact whose zone does not grow.
 //
 //     F = 2 E* a delta,   p = F / (2 pi a sqrt(a^2 - r^2)),   u_z = (2 delta / pi) arcsin(a / r) outside
-//     strain energy F^2 / (4 E* a)                                (seed 4.1.1, with delta = F / (2 E* a); Boussinesq 1885)
+//     strain energy F^2 / (4 E* a)                             (seed 4.1.1, with delta = F / (2 E* a); Boussinesq 1885)
 //
 // It is the limit of r^(2n) for n -> infinity, and the building block of every profile (axisymmetric.h).
 //

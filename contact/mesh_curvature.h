@@ -12,7 +12,8 @@
 // vertices are taken to lie on the smooth body, with the scatter that the residual shows, such as the single precision
 // of a file.
 //
-// Domain   meshes of smooth bodies; the point within the longest side of the nearest triangle from it; 40 vertices around the point without a border among them.
+// Domain   meshes of smooth bodies; the point within the longest side of the nearest triangle from it; 40 vertices
+//          around the point without a border among them.
 // Units    lengths as in the mesh [m], curvatures [1/m].
 // Error    |k_max - true|, |k_min - true| <= curvature_error in every one of the points drawn on ellipsoids with axes
 //          up to 1 : 1 : 5, of 642 to 10242 vertices, exact or with a scatter of 1e-7 to 1e-4 of their size; its

@@ -1,7 +1,7 @@
 // Paraboloid of revolution, f = r^2 / (2 R): Hertz contact of two spherical bodies with a small circle.
 //
 //     delta = a^2 / R,   F/E* = 4 a^3 / (3 R),   p/E* = (2 / (pi R)) sqrt(a^2 - r^2)                  (seed 4.29)
-//     u_z   = [(2 a^2 - r^2) arcsin(a/r) + a sqrt(r^2 - a^2)] / (pi R),   r > a         (Johnson, Contact Mechanics, 3.42)
+//     u_z   = [(2 a^2 - r^2) arcsin(a/r) + a sqrt(r^2 - a^2)] / (pi R),   r > a      (Johnson, Contact Mechanics, 3.42)
 //
 // R is the relative radius of both bodies (hertz_circle.h).
 //

@@ -1,19 +1,19 @@
 // Stamp given by points (r_k, f_k), linear in between: a measured profile.
 //
 // A kink of the slope by m at radius b is a cone of slope m with a flat end of radius b (flat_end_cone.h), a first
-// segment that rises is a cone (cone.h). At equal contact radius approach, force, pressure and displacement are the sums
-// over the kinks inside:
+// segment that rises is a cone (cone.h). At equal contact radius approach, force, pressure and displacement are the
+// sums over the kinks inside:
 //
 //     g(x) = x sum_k m_k arccos(r_k / x),   F/E* = sum_k m_k (a^2 arccos(r_k / a) + r_k sqrt(a^2 - r_k^2))
 //
 // Domain   r_0 = 0 < r_1 < ... < r_n, f_0 = 0, slopes >= 0 and nowhere falling (at a concave kink contact is lost, and
 //          the zone is no circle); a <= r_n.
 // Units    [m].
-// Error    units of 2^-53, relative: n more than flat_end_cone.h states; tests/contact/point_profile_test.cc. That is the
-//          error for the polygon; the polygon itself misses the force of a smooth shape at equal radius by the power 3/2
-//          of the spacing.
-// Fails    p has a logarithmic peak at every kink, +infinity on it: a smooth profile given as points should be asked for
-//          p between nodes. Beyond r_n height() follows the last segment.
+// Error    units of 2^-53, relative: n more than flat_end_cone.h states; tests/contact/point_profile_test.cc. That is
+//          the error for the polygon; the polygon itself misses the force of a smooth shape at equal radius by the
+//          power 3/2 of the spacing.
+// Fails    p has a logarithmic peak at every kink, +infinity on it: a smooth profile given as points should be asked
+//          for p between nodes. Beyond r_n height() follows the last segment.
 // Throws   std::invalid_argument outside the domain; std::runtime_error where the radius is not found.
 #pragma once
 

@@ -152,8 +152,8 @@ class PowerProfile {
     return scale * rim(Real(0.5)) + outer;
   }
 
-  // int_0^1 (1 - s^m) / sqrt(rho^2 - s^2) ds. Far away the binomial series; near the rim s = rho sin t, cut at t = pi/4:
-  // below, the far value at rho = sqrt(2) scaled; above, Gauss-Legendre of the smooth 1 - (rho sin t)^m.
+  // int_0^1 (1 - s^m) / sqrt(rho^2 - s^2) ds. Far away the binomial series; near the rim s = rho sin t, cut at t =
+  // pi/4: below, the far value at rho = sqrt(2) scaled; above, Gauss-Legendre of the smooth 1 - (rho sin t)^m.
   template <class Real>
   Real displacement_shape(const Real& r, const Real& a) const {
     using std::asin;

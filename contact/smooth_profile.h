@@ -1,6 +1,6 @@
 // Any smooth stamp of revolution, given by its height and its first two derivatives as functions.
 //
-//     g  = x int_0^(pi/2) f'(x sin t) dt,   g' = int_0^(pi/2) [f' + x sin t f''](x sin t) dt                  (Sneddon 1965)
+//     g  = x int_0^(pi/2) f'(x sin t) dt,   g' = int_0^(pi/2) [f' + x sin t f''](x sin t) dt             (Sneddon 1965)
 //     F  = 2 E* a^2 int_0^(pi/2) sin^2 t f'(a sin t) dt
 //     p  = (E*/pi) int_0^Z g'(x) / x dz,   x^2 = r^2 + z^2,   Z = sqrt(a^2 - r^2)
 //     u_z = (2/pi) int_0^a arcsin(x/r) g'(x) dx,   r > a
@@ -11,8 +11,8 @@
 // Domain   f(0) = 0, f' >= 0, f smooth in 0 < r <= max_radius; a tip is allowed, kinks and flat ends are not. The slope
 //          of g must be positive: a dimple beyond which the stamp touches again is not seen.
 // Units    f, r [m], f' [1], f'' [1/m]; the rest as in axisymmetric.h.
-// Error    no value leaves unless the quadrature's own estimate is below `tolerance` of it; that is what errors() states.
-//          tests/contact/smooth_profile_test.cc.
+// Error    no value leaves unless the quadrature's own estimate is below `tolerance` of it; that is what errors()
+//          states. tests/contact/smooth_profile_test.cc.
 // Fails    where the estimate stays above the tolerance (a kink inside, an inaccurate f), std::runtime_error names it.
 // Throws   std::invalid_argument outside the domain.
 #pragma once

@@ -9,8 +9,8 @@
 // right near a rim, where q bends, a wide K = 2^26 where the effect is large. Of the two errors that are left the
 // smaller one counts.
 //
-// Fails    closer than some K delta to a rim where q has no derivative (Hessians of a ring or a flat punch): the effect is
-//          then wrong by a factor.
+// Fails    closer than some K delta to a rim where q has no derivative (Hessians of a ring or a flat punch): the effect
+//          is then wrong by a factor.
 #pragma once
 
 #include <array>

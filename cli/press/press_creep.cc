@@ -10,6 +10,7 @@
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/press/press_ellipse.h>
+#include <patchgrip/cli/press/rounding.h>
 #include <patchgrip/cli/scene/profile_of.h>
 #include <patchgrip/contact/creep/contact_creep.h>
 #include <patchgrip/contact/creep/cycles.h>
@@ -23,8 +24,6 @@ namespace {
 
 using contact::ContactCreep;
 using contact::ViscoelasticMaterial;
-
-constexpr double unit = 0x1p-53;
 
 ContactCreep creep_of(const BodyPair& pair) {
   const auto relaxing = [](const Body& body) -> std::optional<ViscoelasticMaterial> {

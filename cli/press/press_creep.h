@@ -1,4 +1,5 @@
-// Viscoelastic bodies, or any that are loaded over time: radius, approach, force and pressure at the times of the scene.
+// Viscoelastic bodies, or any that are loaded over time: radius, approach, force and pressure at the times of the
+// scene.
 #pragma once
 
 #include <patchgrip/cli/press/pressed.h>
@@ -12,8 +13,8 @@ struct PressedOverTime {
   std::vector<std::string> head;  // for the table
 };
 
-// Throws std::invalid_argument where the scene asks for what is not covered, std::runtime_error where something does not
-// converge.
+// Throws std::invalid_argument where the scene asks for what is not covered, std::runtime_error where something does
+// not converge.
 PressedOverTime press_over_time(const PressScene& scene);
 
 }  // namespace patchgrip::cli

@@ -7,7 +7,8 @@
 // An elastic body has a modulus without modes. The seed adds k_E+ and k_E- without the factors (1 - nu^2) (end of
 // 4.1.4): with E1 = E2 and nu = 1/2 that makes the relaxed approach 2.33 instead of 2 times the elastic one.
 //
-// Domain   modes of less than 1e-24 of the compliance, and of its slope, are left out; constant Poisson ratio, -1 < nu <= 0.5.
+// Domain   modes of less than 1e-24 of the compliance, and of its slope, are left out; constant Poisson ratio, -1 < nu
+//          <= 0.5.
 // Units    C [1/Pa], M [Pa].
 // Error    C(0), M(0), modes: <= 2 units of rounding (2^-53), relative: formed in 113 bits from the series of the
 //          bodies; tests/contact/contact_creep_test.cc.

@@ -7,8 +7,8 @@
 // The times interlace, tau_1 < lambda_1 < tau_2 < ..., which brackets every root (reciprocal_modes.h).
 //
 // Units    as in relaxation_modulus.h and creep_compliance.h.
-// Error    of the functions on double: <= 1.01 units of rounding (2^-53) in every strength, time and constant, relative:
-//          formed in 113 bits and rounded once. 1 to 20 modes, times over 12 decades and times 1e-9 apart:
+// Error    of the functions on double: <= 1.01 units of rounding (2^-53) in every strength, time and constant,
+//          relative: formed in 113 bits and rounded once. 1 to 20 modes, times over 12 decades and times 1e-9 apart:
 //          tests/contact/prony_test.cc.
 // Throws   std::runtime_error if a root does not settle; std::invalid_argument if a result overflows or underflows.
 #pragma once

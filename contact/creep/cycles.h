@@ -2,9 +2,9 @@
 //
 //     F(t) = 2 int_0^a q(x, t) dx,        p(r, t) = -(1/pi) int_r^a q_x(x, t) / sqrt(x^2 - r^2) dx
 //
-// q(x, t) from spring.h. It is smooth in x but where the springs change in other pieces of the approach: at the radii of
-// its corners, and the greatest and least of the cycles so far. Those are found by bisection, the panels between them are integrated in s,
-// x = lo + (hi - lo) s^2 (3 - 2 s), which takes the roots of their ends.
+// q(x, t) from spring.h. It is smooth in x but where the springs change in other pieces of the approach: at the radii
+// of its corners, and the greatest and least of the cycles so far. Those are found by bisection, the panels between
+// them are integrated in s, x = lo + (hi - lo) s^2 (3 - 2 s), which takes the roots of their ends.
 //
 // Domain   approaches that are linear between points, with jumps; M without a bare dashpot; exact while the zone is one
 //          circle: `is_one_circle`. p >= 0 is certain while q falls outward: `stress_falls`.

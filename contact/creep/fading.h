@@ -55,7 +55,8 @@ Estimate over_past(const Function& f, double lo, double hi, double shortest, con
 
 }  // namespace fading
 
-// G from `before` just before `from` (a jump there counts) to `last` at `to`. Breaks: times of other jumps and of kinks.
+// G from `before` just before `from` (a jump there counts) to `last` at `to`. Breaks: times of other jumps and of
+// kinks.
 template <class Growth>
 Estimate hereditary_integral(const RelaxationModulus& modulus, const Growth& growth, double before, double last,
                              double from, double to, double t, const std::vector<double>& breaks) {

@@ -1,4 +1,5 @@
-// A force or an approach over time: pieces h(s) = h_k + rate (s - s_k) + A (sin(w (s - s_k) + phi) - sin phi), with jumps.
+// A force or an approach over time: pieces h(s) = h_k + rate (s - s_k) + A (sin(w (s - s_k) + phi) - sin phi), with
+// jumps.
 //
 //     faded(t, T)    = int exp(-(t - s) / T) dh(s)           Stieltjes: a jump counts with its height
 //     lagged(t, T)   = int (1 - exp(-(t - s) / T)) dh(s)  =  (1/T) int exp(-(t - s) / T) h(s) ds

@@ -1,4 +1,5 @@
-// Quadrature over panels with an estimate of its error: Gauss-Kronrod, 21 points, the worst panel halved until it is good.
+// Quadrature over panels with an estimate of its error: Gauss-Kronrod, 21 points, the worst panel halved until it is
+// good.
 //
 // Error    Estimate::error: the difference of 21 and 10 points, 8 units of 2^-53 of the moduli, and the floor.
 // Fails    what is narrower than the distance of the points is not seen; where 200 panels do not do, the error says so.

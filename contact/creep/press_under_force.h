@@ -12,8 +12,9 @@
 // Domain   any profile; t from the start of the force to valid_until(): until the contact is lost, or grows again.
 //          pressure() asks for C_0 > 0: behind a bare dashpot (Kelvin-Voigt) it is not given.
 // Units    a, r, delta [m], F [N], p [Pa], t [s].
-// Error    growing: radius and approach as the profile's own with X good to 12 + n / 2 units of 2^-53; shrinking: radius
-//          to the root of Ting's equation, approach and pressure with an estimate. tests/contact/creep_press_test.cc.
+// Error    growing: radius and approach as the profile's own with X good to 12 + n / 2 units of 2^-53; shrinking:
+//          radius to the root of Ting's equation, approach and pressure with an estimate.
+//          tests/contact/creep_press_test.cc.
 // Fails    p is +infinity where the profile's own pressure is (the tip of a cone).
 // Throws   std::invalid_argument from the factory (receding_load.h), and for times and places outside the domain.
 #pragma once

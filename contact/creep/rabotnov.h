@@ -2,7 +2,7 @@
 //
 //     E c(mu) delta^mu = w_1 a^(mu d),   C = w_1 / (E c(mu) F_1^(mu d / (2 + mu (d - 1))))              (seed 4.28)
 //     F = (delta^mu / C)^((2 + mu (d - 1)) / (mu d)),   a = delta^(1/d) C^(-1/(mu d)) F_1^(-1/(2 + mu (d - 1)))
-//     gamma = 1 / (2 + mu (d - 1)):   a ~ F^gamma,   delta ~ F^(d gamma)               (Example 4.3, corrected exponents)
+//     gamma = 1 / (2 + mu (d - 1)):   a ~ F^gamma,   delta ~ F^(d gamma)             (Example 4.3, corrected exponents)
 //
 // for a profile that is homogeneous of degree d, a pressure p_1 of the zone of radius 1, F_1 = int p_1 dA and
 // w_1 = int p_1 / r^(2 - mu) dA at its centre.
@@ -13,7 +13,8 @@
 //
 // Domain   mu, d, w_1, F_1, c, E > 0; delta, F >= 0.
 // Units    E [Pa]; delta, a [m]; F [N]; mu, d, c [1]; F_1, w_1 per 1 m of a, so [N m^(-1/gamma)], [N m^(-mu d)].
-// Error    <= 8 units of 2^-53 times 1 + the exponent times |ln| of the base, relative, each; tests/contact/rabotnov_test.cc.
+// Error    <= 8 units of 2^-53 times 1 + the exponent times |ln| of the base, relative, each;
+//          tests/contact/rabotnov_test.cc.
 // Throws   std::invalid_argument outside the domain, and where C overflows or underflows.
 #pragma once
 

@@ -8,8 +8,8 @@
 //
 // Domain   E_inf, eta >= 0; E_i, tau_i > 0; not all of them absent. Modes of one time are merged, the others sorted.
 // Units    E [Pa], tau [s], eta [Pa s], w [rad/s].
-// Error    E(t), E_0: <= 3 + n / 2 units of rounding (2^-53), relative, n modes, and the rounding of t / tau_i: the mean
-//          of t / tau_i over the shares of the modes in E(t), in units. E' and E'': <= 6 + n / 2 units each.
+// Error    E(t), E_0: <= 3 + n / 2 units of rounding (2^-53), relative, n modes, and the rounding of t / tau_i: the
+//          mean of t / tau_i over the shares of the modes in E(t), in units. E' and E'': <= 6 + n / 2 units each.
 //          tests/contact/prony_test.cc.
 // Fails    E(t) is zero before the step (t < 0); E(0) is E(0+) without the dashpot, which is the impulse at t = 0.
 // Throws   std::invalid_argument outside the domain.

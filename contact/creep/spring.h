@@ -8,16 +8,16 @@
 // on their own, under no stress the modes lambda_j: both ways in closed form, and the times of change are roots.
 // A jump of d is met at once, with M_0.
 //
-// Why springs: the Abel transform that turns a round contact into one dimension acts on the radius alone, so time may do
-// what it likes (Popov and Hess 2015; formula of g in axisymmetric.h).
+// Why springs: the Abel transform that turns a round contact into one dimension acts on the radius alone, so time may
+// do what it likes (Popov and Hess 2015; formula of g in axisymmetric.h).
 //
 // Domain   M without a bare dashpot.
 // Units    d, u [m], q [Pa m], t [s].
 // Error    a few units of rounding (2^-53) of M_0 |u| a step; times of change to the last digit;
 //          tests/contact/cycles_test.cc.
 // Fails    where q neither falls nor rises all through a step, its least values are looked for between 28 times of the
-//          step: of two dips between neighbours one may not be seen. A spring that has changed k times in a step stays as it is for
-//          2^(k-60) of the rest at least.
+//          step: of two dips between neighbours one may not be seen. A spring that has changed k times in a step stays
+//          as it is for 2^(k-60) of the rest at least.
 // Throws   std::runtime_error where a spring changes more than 64 times in a step.
 #pragma once
 

@@ -8,8 +8,8 @@
 namespace patchgrip::contact {
 namespace {
 
-// The springs in touch from the axis on, and the parabola through the last three of them: where it meets zero beyond the
-// last, in distances, and its integral up to there.
+// The springs in touch from the axis on, and the parabola through the last three of them: where it meets zero beyond
+// the last, in distances, and its integral up to there.
 struct Edge {
   std::size_t touching;  // springs with q > 0 from the axis on
   double beyond = 0;     // in [0, 1]
@@ -124,7 +124,8 @@ Estimate Springs::force() const {
   const double value = 2 * distance_ * (simpson(q) + edge.share);
   if (edge.touching < 6) return {value, value};
   // A kink in a cell shows in one second difference, smooth curvature in all of them. Four times what they say: several
-  // kinks, and layers thinner than a cell. A kink between the last spring and the edge shows in none: a quarter of that.
+  // kinks, and layers thinner than a cell. A kink between the last spring and the edge shows in none: a quarter of
+  // that.
   const auto bend = [&](std::size_t k) { return q[k - 1] - 2 * q[k] + q[k + 1]; };
   const std::size_t last = edge.touching - 2;
   double error = 0;

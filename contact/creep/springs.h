@@ -3,9 +3,9 @@
 //     F = 2 int_0^a q(x, t) dx,        p(r) = -(1/pi) int_r^a q_x / sqrt(x^2 - r^2) dx
 //
 // over springs at equal distances, each exact in time for an approach that is linear over a step (spring.h): splitting
-// such a step changes nothing. Simpson's rule up to the last spring but one that touches, a parabola from there to where
-// it meets zero: the edge. Under a given force the approach of the end of the step is found by Newton's method, and its
-// course over the step is taken as linear: second order in the step.
+// such a step changes nothing. Simpson's rule up to the last spring but one that touches, a parabola from there to
+// where it meets zero: the edge. Under a given force the approach of the end of the step is found by Newton's method,
+// and its course over the step is taken as linear: second order in the step.
 //
 // Domain   the radius stays within `widest`; exact while the zone is one circle (`is_one_circle`) and q falls outward
 //          (`stress_falls`, which makes p >= 0). M without a bare dashpot.

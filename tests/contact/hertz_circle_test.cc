@@ -85,8 +85,8 @@ RC_GTEST_PROP(HertzCircle, PressureCarriesTheForce, ()) {
   RC_ASSERT(std::abs(carried / force - 1) < 1e-15);
 }
 
-// At equal load the true circle of a sphere is narrower than the paraboloid's: by (2/15)(a/R)^2 while that is small, and
-// by a factor of three where Hertz would let the sphere sink in whole.
+// At equal load the true circle of a sphere is narrower than the paraboloid's: by (2/15)(a/R)^2 while that is small,
+// and by a factor of three where Hertz would let the sphere sink in whole.
 TEST(HertzCircle, IsTooWideForASphereThatSinksIn) {
   const auto rows = contact_rows("sphere_exact_inverse");
   ASSERT_EQ(rows.size(), 4U);

@@ -1,7 +1,7 @@
 // Random inputs of tests: how many, and how spread.
 //
-// ./check draws a subset; PATCHGRIP_TEST_SCALE=20 ctest ... draws twenty times as many, from the same seeds. The presets
-// without optimisation draw a tenth.
+// ./check draws a subset; PATCHGRIP_TEST_SCALE=20 ctest ... draws twenty times as many, from the same seeds. The
+// presets without optimisation draw a tenth.
 #pragma once
 
 #include <algorithm>
