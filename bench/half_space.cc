@@ -82,11 +82,10 @@ class FftPair {
   fftw_plan forward_, back_;
 };
 
-PressedHalfSpace press_hertz(int cells, const Press& press, int threads) {
-  const Grid grid = Grid::square(cells, width);
+PressedHalfSpace press_hertz(const Grid& grid, const std::vector<double>& gap, const Press& press, int threads) {
   PressSettings settings;
   settings.threads = threads;
-  return press_half_space(grid, Surface::free, sample(grid, paraboloid()), 1, press, settings);
+  return press_half_space(grid, Surface::free, gap, 1, press, settings);
 }
 
 // Resident memory of this process [byte], now or at most so far.
@@ -106,7 +105,8 @@ double memory_per_cell(int cells) {
   const pid_t child = fork();
   if (child == 0) {
     const double before = resident("VmRSS:");
-    press_hertz(cells, Press::by_force(4. / 3.), 1);
+    const Grid grid = Grid::square(cells, width);
+    press_hertz(grid, sample(grid, paraboloid()), Press::by_force(4. / 3.), 1);
     const double bytes = (resident("VmHWM:") - before) / cells / cells;
     _exit(write(ends[1], &bytes, sizeof bytes) == sizeof bytes ? 0 : 1);
   }
@@ -148,7 +148,7 @@ double slowdown_of_two() {
   const Grid grid = Grid::square(256, width);
   const auto products = [&grid](int count) {
     Workers workers(1);
-    Convolution convolution(grid, Surface::free, 1);
+    Convolution convolution(grid, Surface::free, {workers});
     std::vector<double> field(grid.size(), 1.), u(grid.size());
     for (int i = 0; i < count; ++i) convolution.apply(field.data(), u.data(), workers);
   };
@@ -164,6 +164,8 @@ double slowdown_of_two() {
 // All that is timed takes turns, so that a disturbance meets all alike.
 Row measure(int cells, double memory, int rounds) {
   const FftPair pair(2 * cells);
+  const Grid grid = Grid::square(cells, width);
+  const auto gap = sample(grid, paraboloid());
   Row row{.cells = cells,
           .pair = INFINITY,
           .by_approach = INFINITY,
@@ -175,11 +177,11 @@ Row measure(int cells, double memory, int rounds) {
           .approach = {},
           .force = {}};
   const auto shorten = [](double& least, double time) { least = std::min(least, time); };
-  const auto by_force = [&](int threads) { row.force = press_hertz(cells, Press::by_force(4. / 3.), threads); };
+  const auto by_force = [&](int threads) { row.force = press_hertz(grid, gap, Press::by_force(4. / 3.), threads); };
   for (int round = 0; round < rounds; ++round) {
     shorten(row.pair, least_time(cpu_seconds, 3, [&] { pair.run(); }));
     shorten(row.by_approach,
-            least_time(cpu_seconds, 1, [&] { row.approach = press_hertz(cells, Press::by_approach(1), 1); }));
+            least_time(cpu_seconds, 1, [&] { row.approach = press_hertz(grid, gap, Press::by_approach(1), 1); }));
     shorten(row.pair, least_time(cpu_seconds, 3, [&] { pair.run(); }));
     shorten(row.by_force, least_time(cpu_seconds, 1, [&] { by_force(1); }));
     shorten(row.one_thread, least_time(wall_seconds, 1, [&] { by_force(1); }));

@@ -4,33 +4,30 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include <patchgrip/contact/half_space/convolution.h>
 #include <patchgrip/contact/half_space/grid.h>
+#include <patchgrip/contact/half_space/resources.h>
 
 namespace patchgrip::contact {
 
 // 1 or 0 a cell, with a frame of one cell around the grid.
-using Mask = std::vector<unsigned char>;
+using Mask = Array<unsigned char>;
 
 class CellMasks {
  public:
-  CellMasks(const Grid& grid, Surface surface)
-      : grid_(grid), surface_(surface), stride_(static_cast<std::size_t>(grid.nx) + 2) {}
+  CellMasks(const Grid& grid, Surface surface, Resources resources)
+      : grid_(grid), surface_(surface), resources_(resources), stride_(static_cast<std::size_t>(grid.nx) + 2) {}
 
   std::size_t index(int i, int j) const {
     return (static_cast<std::size_t>(j) + 1) * stride_ + static_cast<std::size_t>(i) + 1;
   }
 
   Mask pressed(std::span<const double> pressure) const {
-    Mask mask(stride_ * (static_cast<std::size_t>(grid_.ny) + 2));
-    for (int j = 0; j < grid_.ny; ++j) {
-      std::transform(&pressure[grid_.index(0, j)], &pressure[grid_.index(0, j)] + grid_.nx, &mask[index(0, j)],
-                     [](double p) { return p > 0; });
-    }
-    close(mask);
-    return mask;
+    return filled([&](int j, unsigned char* row) {
+      const double* p = &pressure[grid_.index(0, j)];
+      for (int i = 0; i < grid_.nx; ++i) row[i] = p[i] > 0 ? 1 : 0;
+    });
   }
 
   // 1 where all nine cells around are 1.
@@ -45,32 +42,41 @@ class CellMasks {
  private:
   template <class Combine>
   Mask filtered(const Mask& mask, const Combine& combine) const {
-    Mask rows(mask.size()), result(mask.size());
-    for (std::size_t k = 1; k + 1 < mask.size(); ++k) {
-      rows[k] = static_cast<unsigned char>(combine(mask[k - 1], mask[k], mask[k + 1]));
-    }
-    for (std::size_t k = stride_; k + stride_ < mask.size(); ++k) {
-      result[k] = static_cast<unsigned char>(combine(rows[k - stride_], rows[k], rows[k + stride_]));
-    }
-    close(result);
-    return result;
+    return filled([&](int j, unsigned char* result) {
+      const unsigned char* row = &mask[index(0, j)];
+      const auto of_three = [&](const unsigned char* centre) { return combine(centre[-1], centre[0], centre[1]); };
+      for (int i = 0; i < grid_.nx; ++i, ++row) {
+        result[i] =
+            static_cast<unsigned char>(combine(of_three(row - stride_), of_three(row), of_three(row + stride_)));
+      }
+    });
   }
 
-  // The frame: the other side of a periodic surface, nothing around a free one.
-  void close(Mask& mask) const {
+  // fill(j, row) every row; the frame becomes the other side of a periodic surface, nothing around a free one.
+  template <class Fill>
+  Mask filled(const Fill& fill) const {
     const bool wraps = surface_ == Surface::periodic;
-    for (int j = 0; j < grid_.ny; ++j) {
-      mask[index(-1, j)] = wraps ? mask[index(grid_.nx - 1, j)] : 0;
-      mask[index(grid_.nx, j)] = wraps ? mask[index(0, j)] : 0;
+    Mask mask(stride_ * (static_cast<std::size_t>(grid_.ny) + 2), resources_.memory);
+    resources_.workers.each_row(grid_.ny, [&](int j, int) {
+      unsigned char* row = &mask[index(0, j)];
+      fill(j, row);
+      row[-1] = wraps ? row[grid_.nx - 1] : 0;
+      row[grid_.nx] = wraps ? row[0] : 0;
+    });
+    for (const int j : {-1, grid_.ny}) {
+      unsigned char* row = &mask[index(-1, j)];
+      if (wraps) {
+        std::copy_n(&mask[index(-1, j < 0 ? grid_.ny - 1 : 0)], stride_, row);
+      } else {
+        std::fill_n(row, stride_, static_cast<unsigned char>(0));
+      }
     }
-    for (int i = -1; i <= grid_.nx; ++i) {
-      mask[index(i, -1)] = wraps ? mask[index(i, grid_.ny - 1)] : 0;
-      mask[index(i, grid_.ny)] = wraps ? mask[index(i, 0)] : 0;
-    }
+    return mask;
   }
 
   const Grid& grid_;
   Surface surface_;
+  Resources resources_;
   std::size_t stride_;
 };
 

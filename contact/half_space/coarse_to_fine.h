@@ -8,17 +8,18 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include <patchgrip/contact/half_space/convolution.h>
 #include <patchgrip/contact/half_space/grid.h>
+#include <patchgrip/contact/half_space/resources.h>
 
 namespace patchgrip::contact {
 
 Grid coarser(const Grid& fine);  // nx and ny even
 
-std::vector<double> refine_pressure(const Grid& coarse, Surface surface, std::span<const double> pressure);
-std::vector<double> coarsen_pressure(const Grid& fine, std::span<const double> pressure);
-std::vector<double> coarsen_gap(const Grid& fine, Surface surface, std::span<const double> gap);
+Array<double> refine_pressure(const Grid& coarse, Surface surface, std::span<const double> pressure,
+                              Resources resources);
+Array<double> coarsen_pressure(const Grid& fine, std::span<const double> pressure, Resources resources);
+Array<double> coarsen_gap(const Grid& fine, Surface surface, std::span<const double> gap, Resources resources);
 
 }  // namespace patchgrip::contact

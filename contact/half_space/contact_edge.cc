@@ -1,10 +1,13 @@
 #include <patchgrip/contact/half_space/contact_edge.h>
 #include <patchgrip/contact/half_space/neighbours.h>
+#include <patchgrip/contact/half_space/pieces.h>
 #include <patchgrip/contact/half_space/vector_clones.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -16,6 +19,7 @@ constexpr int skipped_layers = 2;
 constexpr int least_radius = 4, most_radius = 7;
 constexpr int least_cells = 9;
 constexpr double least_pivot = 1e-10;
+constexpr double area_units = 0x1p38;  // of a cell: integers add up to the same in any order, and to 2^24 cells
 
 constexpr std::size_t terms = 6;      // 1, u, v, u^2/2, uv, v^2/2
 constexpr std::size_t products = 24;  // of two terms, 21, filled up to whole vectors
@@ -100,17 +104,26 @@ bool solve(Normal normal, double& phi) {
 
 class LevelSet {
  public:
-  LevelSet(const Grid& grid, Surface surface, std::span<const double> pressure, const ZoneMap& map)
+  LevelSet(const Grid& grid, Surface surface, std::span<const double> pressure, const ZoneMap& map, Resources resources)
       : grid_(grid),
         surface_(surface),
         pressure_(pressure),
         map_(map),
-        per_peak_(1 / *std::ranges::max_element(pressure)),
+        workers_(resources.workers),
         zones_(static_cast<std::size_t>(map.count)),
-        phi_(grid.size()) {
-    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-      phi_[cell] = pressure[cell] > 0 ? square(cell) : -std::numeric_limits<double>::min();
-    }
+        phi_(grid.size(), resources.memory) {
+    Pieces pieces(grid.size(), workers_);
+    per_peak_ = 1 / pieces
+                        .total([&](std::size_t begin, std::size_t count) {
+                          const auto piece = pressure.subspan(begin, count);
+                          return Tally{.largest = std::max(0., *std::ranges::max_element(piece))};
+                        })
+                        .largest;
+    pieces.each([&](std::size_t begin, std::size_t count) {
+      for (std::size_t cell = begin; cell < begin + count; ++cell) {
+        phi_[cell] = pressure[cell] > 0 ? square(cell) : -std::numeric_limits<double>::min();
+      }
+    });
   }
 
   std::vector<ZoneArea> areas() {
@@ -118,22 +131,18 @@ class LevelSet {
     fit_layer(-1);
     fit_layer(2);
     fit_layer(-2);
+    add_squares();
+    for (const auto& [begin, end, row, zone] : map_.runs) zones_[static_cast<std::size_t>(zone)].cells += end - begin;
     std::vector<ZoneArea> result(zones_.size());
-    add_squares(result);
-    for (std::size_t cell = 0; cell < grid_.size(); ++cell) {
-      if (!(pressure_[cell] > 0)) continue;
-      Zone& zone = zones_[static_cast<std::size_t>(map_.zone[cell])];
-      ++zone.cells;
-      if (map_.layer[cell] == 1) ++zone.edge_cells;
-    }
     for (std::size_t k = 0; k < result.size(); ++k) {
       const Zone& zone = zones_[k];
-      const int unfitted = std::min(zone.unfitted, zone.edge_cells);
-      result[k].resolved = 2 * unfitted <= zone.edge_cells;
-      const double edge = result[k].resolved ? edge_error * (zone.edge_cells - unfitted) + counted_edge_error * unfitted
-                                             : counted_edge_error * zone.edge_cells;
+      const int edge_cells = zone.edge_cells, unfitted = std::min<int>(zone.unfitted, edge_cells);
+      result[k].resolved = 2 * unfitted <= edge_cells;
+      const double edge = result[k].resolved ? edge_error * (edge_cells - unfitted) + counted_edge_error * unfitted
+                                             : counted_edge_error * edge_cells;
       constexpr double per_edge_cell = std::numbers::pi / 4;  // a circle of r cells has 8 r cells in its outer layer
-      result[k].area = grid_.cell_area() * (result[k].resolved ? result[k].area : zone.cells);
+      result[k].area =
+          grid_.cell_area() * (result[k].resolved ? static_cast<double>(zone.area) / area_units : zone.cells);
       result[k].error = grid_.cell_area() * per_edge_cell * edge;
     }
     return result;
@@ -148,23 +157,28 @@ class LevelSet {
   // Fits phi in a layer; in the second layers only where the edge has crossed the first. Where that fails, or phi does
   // not fall to zero within the layers outside, phi stays what it was: the edge is then that of the cells.
   void fit_layer(int layer) {
-    for (int j = 0; j < grid_.ny; ++j) {
-      for (int i = 0; i < grid_.nx; ++i) {
+    const bool second = layer == 2 || layer == -2;
+    const auto is_crossed = [&](int i, int j) {
+      bool crossed = false;
+      visit_neighbours(grid_, surface_, i, j, [&](std::size_t near) {
+        crossed |= map_.layer[near] == layer / 2 && (phi_[near] > 0) != (layer > 0);
+      });
+      return crossed;
+    };
+    workers_.each_row(grid_.ny, [&](int j, int) {
+      map_.each_in_layer(grid_, j, layer, [&](int i) {
         const std::size_t cell = grid_.index(i, j);
-        if (map_.layer[cell] != layer) continue;
-        bool needed = layer == 1 || layer == -1;
-        if (!needed) {
-          visit_neighbours(grid_, surface_, i, j, [&](std::size_t near) { needed |= (phi_[near] > 0) != (layer > 0); });
-        }
-        if (!needed) continue;
+        Zone& zone = zones_[static_cast<std::size_t>(map_.zone[cell])];
+        if (layer == 1) ++zone.edge_cells;
+        if (second && !is_crossed(i, j)) return;
         double value = 0;
         if (fit(i, j, value) && !(layer == -2 && value > 0)) {
           phi_[cell] = value;
         } else {
-          ++zones_[static_cast<std::size_t>(map_.zone[cell])].unfitted;
+          ++zone.unfitted;
         }
-      }
-    }
+      });
+    });
   }
 
   bool fit(int i, int j, double& value) const {
@@ -196,18 +210,29 @@ class LevelSet {
     return false;
   }
 
-  // Cells of area in the squares between four cell centres, to the zone of their highest corner.
-  void add_squares(std::vector<ZoneArea>& result) const {
+  // Area in the squares between four cell centres, to the zone of their highest corner.
+  void add_squares() {
     const bool wraps = surface_ == Surface::periodic;
-    for (int j = 0; j + (wraps ? 0 : 1) < grid_.ny; ++j) {
+    const int columns = wraps ? grid_.nx : grid_.nx - 1;
+    workers_.each_row(wraps ? grid_.ny : grid_.ny - 1, [&](int j, int) {
       const int above = (j + 1) % grid_.ny;
-      for (int i = 0; i + (wraps ? 0 : 1) < grid_.nx; ++i) {
+      int zone = -1;
+      std::int64_t area = 0;
+      const auto add = [&](int to, double cells) {
+        if (to != zone) {
+          if (area != 0) zones_[static_cast<std::size_t>(zone)].area += area;
+          zone = to;
+          area = 0;
+        }
+        area += std::llround(cells * area_units);
+      };
+      for (int i = 0; i < columns; ++i) {
         const int right = (i + 1) % grid_.nx;
         const std::array corners{grid_.index(i, j), grid_.index(right, j), grid_.index(right, above),
                                  grid_.index(i, above)};
         if (map_.layer[corners[0]] == 0) continue;
         if (std::ranges::all_of(corners, [&](std::size_t corner) { return map_.layer[corner] > skipped_layers; })) {
-          result[static_cast<std::size_t>(map_.zone[corners[0]])].area += 1;
+          add(map_.zone[corners[0]], 1);
           continue;
         }
         std::size_t highest = corners[0];
@@ -216,11 +241,10 @@ class LevelSet {
           if (phi_[corner] > phi_[highest]) highest = corner;
           least = std::min(least, phi_[corner]);
         }
-        if (phi_[highest] <= 0 || map_.zone[highest] < 0) continue;
-        double& area = result[static_cast<std::size_t>(map_.zone[highest])].area;
-        area += least > 0 ? 1 : cut_square(corners);
+        if (phi_[highest] > 0 && map_.zone[highest] >= 0) add(map_.zone[highest], least > 0 ? 1 : cut_square(corners));
       }
-    }
+      add(-1, 0);
+    });
   }
 
   double cut_square(const std::array<std::size_t, 4>& corners) const {
@@ -249,20 +273,23 @@ class LevelSet {
   Surface surface_;
   std::span<const double> pressure_;
   const ZoneMap& map_;
-  double per_peak_;
+  Workers& workers_;
+  double per_peak_ = 0;
   struct Zone {
-    int cells = 0, edge_cells = 0, unfitted = 0;
+    int cells = 0;
+    std::atomic<int> edge_cells = 0, unfitted = 0;
+    std::atomic<std::int64_t> area = 0;  // in 1 / area_units of a cell
   };
   std::vector<Zone> zones_;
-  std::vector<double> phi_;
+  Array<double> phi_;
 };
 
 }  // namespace
 
 std::vector<ZoneArea> zone_areas(const Grid& grid, Surface surface, std::span<const double> pressure,
-                                 const ZoneMap& map) {
+                                 const ZoneMap& map, Resources resources) {
   if (map.count == 0) return {};
-  return LevelSet(grid, surface, pressure, map).areas();
+  return LevelSet(grid, surface, pressure, map, resources).areas();
 }
 
 }  // namespace patchgrip::contact

@@ -23,6 +23,7 @@
 
 #include <patchgrip/contact/half_space/convolution.h>
 #include <patchgrip/contact/half_space/grid.h>
+#include <patchgrip/contact/half_space/resources.h>
 #include <patchgrip/contact/half_space/zones.h>
 
 namespace patchgrip::contact {
@@ -40,6 +41,6 @@ struct ZoneArea {
 
 // One a zone of the map.
 std::vector<ZoneArea> zone_areas(const Grid& grid, Surface surface, std::span<const double> pressure,
-                                 const ZoneMap& map);
+                                 const ZoneMap& map, Resources resources);
 
 }  // namespace patchgrip::contact

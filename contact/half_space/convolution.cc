@@ -6,31 +6,22 @@
 #include <numbers>
 
 namespace patchgrip::contact {
-namespace {
 
-void fill_periodic_symbol(const Grid& grid, const SpectralProduct& product, std::vector<double>& symbol) {
-  auto value = symbol.begin();
-  for (int i = 0; i < product.columns(); ++i) {
-    for (int j = 0; j < product.rows(); ++j) {
-      const double q = 2 * std::numbers::pi * std::hypot(i / (grid.nx * grid.dx), j / (grid.ny * grid.dy));
-      *value++ = q > 0 ? 2 / q : 0;
-    }
-  }
-}
-
-}  // namespace
-
-Convolution::Convolution(const Grid& grid, Surface surface, int threads)
-    : product_(grid.nx, grid.ny, surface == Surface::free ? Padding::doubled : Padding::none, threads),
-      symbol_(product_.symbol_size()) {
+Convolution::Convolution(const Grid& grid, Surface surface, Resources resources)
+    : product_(grid.nx, grid.ny, surface == Surface::free ? Padding::doubled : Padding::none, resources),
+      symbol_(product_.symbol_size(), resources.memory) {
   if (surface == Surface::free) {
     const Grid transposed{grid.ny, grid.nx, grid.dy, grid.dx};  // the symbol runs along y first
-    fill_love_table(transposed, product_.rows(), product_.columns(), symbol_.data());
-    cosine_transform(product_.rows(), product_.columns(), symbol_.data());
-  } else {
-    fill_periodic_symbol(grid, product_, symbol_);
+    fill_love_table(transposed, product_.rows(), product_.columns(), symbol_.data(), resources.workers);
+    cosine_transform(product_.rows(), product_.columns(), 1 / product_.normalisation(), symbol_.data(), resources);
+    return;
   }
-  for (double& value : symbol_) value /= product_.normalisation();
+  const double lx = grid.nx * grid.dx, ly = grid.ny * grid.dy;
+  const auto displacement = [&](int i, int j) {
+    const double q = 2 * std::numbers::pi * std::hypot(i / lx, j / ly);
+    return q > 0 ? 2 / q : 0;
+  };
+  product_.fill_symbol(displacement, symbol_.data(), resources.workers);
 }
 
 void Convolution::apply(const double* pressure, double* displacement, Workers& workers) {
@@ -46,7 +37,7 @@ std::vector<double> half_space_displacement(const Grid& grid, Surface surface, s
   std::vector<double> field(pressure.begin(), pressure.end());
   for (double& value : field) value = require_finite("pressure", value) / contact_modulus;
   Workers workers(threads);
-  Convolution(grid, surface, threads).apply(field.data(), field.data(), workers);
+  Convolution(grid, surface, {workers}).apply(field.data(), field.data(), workers);
   return field;
 }
 

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include <patchgrip/contact/half_space/grid.h>
+#include <patchgrip/contact/half_space/resources.h>
 #include <patchgrip/contact/half_space/spectral_product.h>
-#include <patchgrip/contact/half_space/workers.h>
 
 namespace patchgrip::contact {
 
@@ -29,14 +29,14 @@ inline constexpr double convolution_error = 1e-13;
 
 class Convolution {
  public:
-  Convolution(const Grid& grid, Surface surface, int threads);
+  Convolution(const Grid& grid, Surface surface, Resources resources);
 
   // u_z [m] from p / E* [1]; they may be the same array.
   void apply(const double* pressure, double* displacement, Workers& workers);
 
  private:
   SpectralProduct product_;
-  std::vector<double> symbol_;
+  Array<double> symbol_;
 };
 
 // The inverse problem: u_z [m] under p [Pa]. The shape that takes this pressure is approach - u_z in the contact.

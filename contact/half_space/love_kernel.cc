@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <numbers>
-#include <vector>
 
 namespace patchgrip::contact {
 namespace {
 
 using Long = long double;
+
+// In cells: where double loses as much to the four corners as the multipoles lose to truncation, and where four orders
+// do.
+constexpr int near_cells = 24, far_cells = 100;
 
 // Integral of 1/|P - Q| over the rectangle's points Q as a series of multipoles, up to the order 4 or 6, from the
 // derivatives of 1/r, which is harmonic in space but not in the plane. The next order is (c / r)^6 or (c / r)^8,
@@ -78,6 +81,21 @@ PATCHGRIP_VECTOR_CLONES void fill_far_row(const Grid& grid, double y, int begin,
   fill_far<4>(grid, y, middle, end, row);
 }
 
+// Cells 0 ... end - 1 of row j. Neighbours share corners, none on an axis; T is odd in X and in Y.
+void fill_near_row(const Grid& grid, int j, int end, double* row) {
+  const auto rise = [&](double X) {  // T(X, y + b) - T(X, y - b)
+    const double low = std::abs(j - 0.5) * grid.dy, high = (j + 0.5) * grid.dy;
+    const double lower = X * std::asinh(low / X) + low * std::asinh(X / low);
+    return X * std::asinh(high / X) + high * std::asinh(X / high) + (j == 0 ? lower : -lower);
+  };
+  double left = -rise(0.5 * grid.dx);
+  for (int i = 0; i < end; ++i) {
+    const double right = rise((i + 0.5) * grid.dx);
+    row[i] = (right - left) / std::numbers::pi;
+    left = right;
+  }
+}
+
 }  // namespace
 
 double love_displacement(double pressure, double contact_modulus, double half_x, double half_y, double x, double y) {
@@ -89,39 +107,20 @@ double love_displacement(double pressure, double contact_modulus, double half_x,
   return require_representable("displacement", static_cast<double>(u));
 }
 
-void fill_love_table(const Grid& grid, int columns, int rows, double* table) {
-  // Where double loses as much to the four corners as the multipoles lose to truncation, and where four orders do.
-  constexpr int near = 24, far = 100;
+void fill_love_table(const Grid& grid, int columns, int rows, double* table, Workers& workers) {
   const double cell = std::max(grid.dx, grid.dy);
   const auto within = [&](int distance, double step, int most) {
     return std::min(most, static_cast<int>(distance * cell / step));
   };
-  const int near_columns = within(near, grid.dx, columns), near_rows = within(near, grid.dy, rows);
-  const int far_columns = within(far, grid.dx, columns), far_rows = within(far, grid.dy, rows);
-  for (int j = 0; j < rows; ++j) {
+  const int near_columns = within(near_cells, grid.dx, columns), near_rows = within(near_cells, grid.dy, rows);
+  const int far_columns = within(far_cells, grid.dx, columns), far_rows = within(far_cells, grid.dy, rows);
+  workers.each_row(rows, [&](int j, int) {
+    double* row = table + static_cast<std::ptrdiff_t>(j) * columns;
     const int begin = j < near_rows ? near_columns : 0;
     const int middle = j < far_rows ? std::max(begin, far_columns) : begin;
-    fill_far_row(grid, j * grid.dy, begin, middle, columns, table + static_cast<std::ptrdiff_t>(j) * columns);
-  }
-
-  // Neighbours share corners, none on an axis; T is odd in X and in Y.
-  std::vector<double> below, above(static_cast<std::size_t>(near_columns));
-  for (int j = 0; j < near_rows; ++j) {
-    below = above;
-    const double Y = (j + 0.5) * grid.dy;
-    for (int i = 0; i < near_columns; ++i) {
-      const double X = (i + 0.5) * grid.dx;
-      above[static_cast<std::size_t>(i)] = X * std::asinh(Y / X) + Y * std::asinh(X / Y);
-    }
-    if (j == 0) std::ranges::transform(above, below.begin(), [](double t) { return -t; });
-    double* row = table + static_cast<std::ptrdiff_t>(j) * columns;
-    double left = below[0] - above[0];
-    for (int i = 0; i < near_columns; ++i) {
-      const double right = above[static_cast<std::size_t>(i)] - below[static_cast<std::size_t>(i)];
-      row[i] = (right - left) / std::numbers::pi;
-      left = right;
-    }
-  }
+    fill_near_row(grid, j, begin, row);
+    fill_far_row(grid, j * grid.dy, begin, middle, columns, row);
+  });
 }
 
 }  // namespace patchgrip::contact

@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include <patchgrip/contact/half_space/grid.h>
+#include <patchgrip/contact/half_space/workers.h>
 
 namespace patchgrip::contact {
 
@@ -42,6 +43,6 @@ double love_displacement(double pressure, double contact_modulus, double half_x,
 
 // E* u_z / p [m] of a cell of `grid` at the centre of the cell i columns and j rows away, at index j `columns` + i, for
 // 0 <= i < columns, 0 <= j < rows.
-void fill_love_table(const Grid& grid, int columns, int rows, double* table);
+void fill_love_table(const Grid& grid, int columns, int rows, double* table, Workers& workers);
 
 }  // namespace patchgrip::contact

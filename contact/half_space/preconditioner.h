@@ -9,24 +9,23 @@
 // Units    r [m], M r [1] (p / E*).
 #pragma once
 
-#include <vector>
-
 #include <patchgrip/contact/half_space/convolution.h>
 #include <patchgrip/contact/half_space/grid.h>
+#include <patchgrip/contact/half_space/resources.h>
 #include <patchgrip/contact/half_space/spectral_product.h>
 
 namespace patchgrip::contact {
 
 class Preconditioner {
  public:
-  Preconditioner(const Grid& grid, Surface surface, int threads);
+  Preconditioner(const Grid& grid, Surface surface, Resources resources);
 
   // r and M r may be the same array.
   void apply(const double* r, double* Mr, Workers& workers) { product_.apply(symbol_.data(), r, Mr, workers); }
 
  private:
   SpectralProduct product_;
-  std::vector<double> symbol_;
+  Array<double> symbol_;
 };
 
 }  // namespace patchgrip::contact

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -19,11 +20,10 @@ constexpr double coarse_tolerance = 30;   // of the one asked for
 constexpr double estimate_tolerance = 4;  // the same, of the grid that the errors are estimated from
 constexpr double order_factor = 2.4;      // 2^order - 1 of what is measured on Hertz' contact
 constexpr double least_magnitude = 1e-100, most_magnitude = 1e100;  // squares neither overflow nor underflow
-constexpr int least_cells_for_threads = 100 * 100;
 
 struct Level {
   Grid grid;
-  std::vector<double> gap;
+  Array<double> gap;
 };
 
 // The grid given, and how often its sides can be halved; a free grid is extended where they cannot.
@@ -36,40 +36,40 @@ int halvings(const Grid& grid) {
 int round_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
 
 // The gap beyond the border is that of the border: no contact is allowed there anyway.
-Level extended(const Grid& grid, std::span<const double> gap, int unit) {
+Level extended(const Grid& grid, std::span<const double> gap, double least, int unit, Resources resources) {
   const Grid large{round_up(grid.nx, unit), round_up(grid.ny, unit), grid.dx, grid.dy};
-  std::vector<double> field(large.size());
-  for (int j = 0; j < large.ny; ++j) {
-    for (int i = 0; i < large.nx; ++i) {
-      field[large.index(i, j)] = gap[grid.index(std::min(i, grid.nx - 1), std::min(j, grid.ny - 1))];
-    }
-  }
+  Array<double> field(large.size(), resources.memory);
+  resources.workers.each_row(large.ny, [&](int j, int) {
+    const double* from = &gap[grid.index(0, std::min(j, grid.ny - 1))];
+    double* to = &field[large.index(0, j)];
+    for (int i = 0; i < grid.nx; ++i) to[i] = from[i] - least;
+    std::fill(to + grid.nx, to + large.nx, to[grid.nx - 1]);
+  });
   return {large, std::move(field)};
 }
 
 // From coarse to fine; gaps count from the least one.
-std::vector<Level> make_levels(const Grid& grid, Surface surface, std::span<const double> gap, double least) {
+std::vector<Level> make_levels(const Grid& grid, Surface surface, std::span<const double> gap, double least,
+                               Resources resources) {
   std::vector<Level> levels;
   int count = halvings(grid);
-  if (surface == Surface::free) {
-    levels.push_back(extended(grid, gap, 1 << count));
-  } else {
-    levels.push_back({grid, {gap.begin(), gap.end()}});
+  if (surface == Surface::periodic) {
     while (grid.nx % (1 << count) != 0 || grid.ny % (1 << count) != 0) --count;
   }
-  for (double& f : levels.back().gap) f -= least;
+  levels.push_back(extended(grid, gap, least, 1 << count, resources));
   for (; count > 0; --count) {
     const Level& fine = levels.back();
-    levels.push_back({coarser(fine.grid), coarsen_gap(fine.grid, surface, fine.gap)});
+    levels.push_back({coarser(fine.grid), coarsen_gap(fine.grid, surface, fine.gap, resources)});
   }
   std::ranges::reverse(levels);
   return levels;
 }
 
-std::vector<double> cold_start(const Level& level, Prescribed prescribed, double value) {
-  if (prescribed == Prescribed::load) return std::vector<double>(level.grid.size(), 1.);  // scaled by the solver
-  std::vector<double> pressure(level.grid.size());
-  std::ranges::transform(level.gap, pressure.begin(), [&](double f) { return f < value ? 1. : 0.; });
+Array<double> cold_start(const Level& level, Prescribed prescribed, double value, Resources resources) {
+  Array<double> pressure(level.grid.size(), resources.memory);
+  std::ranges::transform(level.gap, pressure.begin(), [&](double f) {
+    return prescribed == Prescribed::load || f < value ? 1. : 0.;  // a load is scaled by the solver
+  });
   return pressure;
 }
 
@@ -78,25 +78,55 @@ struct Measured {
   double force = 0, approach = 0, peak = 0, area = 0, area_error = 0, counted_area = 0;
   ZoneMap map;
   std::vector<ContactZone> zones;
+  std::vector<std::size_t> highest;  // cell of each zone
 };
 
-Measured measure(const Grid& grid, Surface surface, std::span<const double> pressure, double approach) {
-  Measured result{.approach = approach, .map = map_zones(grid, surface, pressure), .zones = {}};
-  for (const ZoneArea& zone : zone_areas(grid, surface, pressure, result.map)) {
+// Of the cells of a run.
+struct RunSums {
+  double pressure = 0, moment = 0;  // about the first one
+  int highest = 0;
+};
+
+RunSums sums_of(std::span<const double> run) {
+  RunSums sums;
+  for (std::size_t k = 0; k < run.size(); ++k) {
+    sums.pressure += run[k];
+    sums.moment += static_cast<double>(k) * run[k];
+    if (run[k] > run[static_cast<std::size_t>(sums.highest)]) sums.highest = static_cast<int>(k);
+  }
+  return sums;
+}
+
+Measured measure(const Grid& grid, Surface surface, std::span<const double> pressure, double approach,
+                 Resources resources) {
+  Measured result{
+      .approach = approach, .map = map_zones(grid, surface, pressure, resources), .zones = {}, .highest = {}};
+  for (const ZoneArea& zone : zone_areas(grid, surface, pressure, result.map, resources)) {
     result.zones.push_back({{0, 0}, {zone.area, zone.error}, {0, 0}, 0, zone.resolved, 0, 0, 0});
     result.area += zone.area;
     result.area_error += zone.error;
   }
-  for (int j = 0; j < grid.ny; ++j) {
-    for (int i = 0; i < grid.nx; ++i) {
-      const double p = pressure[grid.index(i, j)];
-      if (!(p > 0)) continue;
-      ContactZone& zone = result.zones[static_cast<std::size_t>(result.map.zone[grid.index(i, j)])];
-      zone.force.value += p * grid.cell_area();
-      zone.counted_area += grid.cell_area();
-      zone.x += p * grid.cell_area() * grid.x(i);
-      zone.y += p * grid.cell_area() * grid.y(j);
-      zone.peak_pressure.value = std::max(zone.peak_pressure.value, p);
+  result.highest.resize(result.zones.size());
+
+  const std::vector<ZoneMap::Run>& runs = result.map.runs;
+  std::vector<RunSums> sums(runs.size());
+  resources.workers.each_row(static_cast<int>(runs.size()), [&](int k, int) {
+    const auto& [begin, end, row, zone] = runs[static_cast<std::size_t>(k)];
+    sums[static_cast<std::size_t>(k)] =
+        sums_of(pressure.subspan(grid.index(begin, row), static_cast<std::size_t>(end - begin)));
+  });
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const auto& [begin, end, row, index] = runs[k];
+    ContactZone& zone = result.zones[static_cast<std::size_t>(index)];
+    const double force = sums[k].pressure * grid.cell_area();
+    zone.force.value += force;
+    zone.counted_area += (end - begin) * grid.cell_area();
+    zone.x += force * grid.x(begin) + sums[k].moment * grid.cell_area() * grid.dx;
+    zone.y += force * grid.y(row);
+    const std::size_t highest = grid.index(begin + sums[k].highest, row);
+    if (pressure[highest] > zone.peak_pressure.value) {
+      zone.peak_pressure.value = pressure[highest];
+      result.highest[static_cast<std::size_t>(index)] = highest;
     }
   }
   for (ContactZone& zone : result.zones) {
@@ -114,23 +144,16 @@ double estimate(double fine, double coarse, double residual) {
 }
 
 // The zones of the coarser grid are those of the finer one that lie around their highest cell.
-void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coarse,
-                    std::span<const double> coarse_pressure, double residual) {
+void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coarse, double residual) {
   struct Sum {
     double force = 0, area = 0, peak = 0, moment_x = 0, moment_y = 0;
   };
   std::vector<Sum> sums(fine.zones.size());
   const Grid coarse_grid = coarser(fine_grid);
-  std::vector<std::size_t> highest(coarse.zones.size(), coarse_pressure.size());
-  for (std::size_t cell = 0; cell < coarse_pressure.size(); ++cell) {
-    if (!(coarse_pressure[cell] > 0)) continue;
-    std::size_t& top = highest[static_cast<std::size_t>(coarse.map.zone[cell])];
-    if (top == coarse_pressure.size() || coarse_pressure[cell] > coarse_pressure[top]) top = cell;
-  }
   for (std::size_t k = 0; k < coarse.zones.size(); ++k) {
     const auto columns = static_cast<std::size_t>(coarse_grid.nx);
-    const int zone = fine.map.zone[fine_grid.index(2 * static_cast<int>(highest[k] % columns),
-                                                   2 * static_cast<int>(highest[k] / columns))];
+    const int zone = fine.map.zone[fine_grid.index(2 * static_cast<int>(coarse.highest[k] % columns),
+                                                   2 * static_cast<int>(coarse.highest[k] / columns))];
     if (zone < 0) continue;
     Sum& sum = sums[static_cast<std::size_t>(zone)];
     const ContactZone& part = coarse.zones[k];
@@ -162,9 +185,9 @@ void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coars
 // The first cell in contact on the border of the grid given, or beyond it, is an error.
 void check_border(const Grid& grid, const Grid& large, std::span<const double> pressure) {
   for (int j = 0; j < large.ny; ++j) {
-    for (int i = 0; i < large.nx; ++i) {
-      const bool inner = i > 0 && j > 0 && i < grid.nx - 1 && j < grid.ny - 1;
-      if (inner || !(pressure[large.index(i, j)] > 0)) continue;
+    const bool is_inner = j > 0 && j < grid.ny - 1;
+    for (int i = 0; i < large.nx; i += is_inner && i == 0 ? grid.nx - 1 : 1) {
+      if (!(pressure[large.index(i, j)] > 0)) continue;
       std::ostringstream text;
       text << "contact touches the border of the grid at x = " << grid.x(std::min(i, grid.nx - 1))
            << " m, y = " << grid.y(std::min(j, grid.ny - 1)) << " m: the grid must be larger than the contact";
@@ -174,9 +197,12 @@ void check_border(const Grid& grid, const Grid& large, std::span<const double> p
 }
 
 std::vector<double> cropped(const Grid& grid, const Grid& large, std::span<const double> field, double factor) {
-  std::vector<double> result(grid.size());
+  std::vector<double> result;
+  result.reserve(grid.size());
+  prefer_large_pages(result.data(), grid.size() * sizeof(double));
   for (int j = 0; j < grid.ny; ++j) {
-    for (int i = 0; i < grid.nx; ++i) result[grid.index(i, j)] = factor * field[large.index(i, j)];
+    const double* row = &field[large.index(0, j)];
+    std::transform(row, row + grid.nx, std::back_inserter(result), [&](double value) { return factor * value; });
   }
   return result;
 }
@@ -184,7 +210,10 @@ std::vector<double> cropped(const Grid& grid, const Grid& large, std::span<const
 void check_gap(const Grid& grid, Surface surface, std::span<const double> gap) {
   Grid::of_cells(grid.nx, grid.ny, grid.dx, grid.dy);
   if (gap.size() != grid.size()) refuse("gap.size()", static_cast<double>(gap.size()), "must be nx ny of the grid");
-  for (const double f : gap) require_in("gap", f, -most_magnitude, most_magnitude);
+  const auto is_allowed = [](double f) { return std::abs(f) <= most_magnitude; };
+  if (const auto wrong = std::ranges::find_if_not(gap, is_allowed); wrong != gap.end()) {
+    require_in("gap", *wrong, -most_magnitude, most_magnitude);
+  }
   if (surface == Surface::free) return;
   if (grid.nx % 2 != 0) refuse("nx", grid.nx, "must be even on a periodic surface");
   if (grid.ny % 2 != 0) refuse("ny", grid.ny, "must be even on a periodic surface");
@@ -215,8 +244,9 @@ void check_start(const Grid& grid, Surface surface, const PressedHalfSpace* star
 }
 
 // The earlier pressure, p / E*, on the extended grid.
-std::vector<double> extended_start(const Grid& large, const PressedHalfSpace& start) {
-  std::vector<double> pressure(large.size());
+Array<double> extended_start(const Grid& large, const PressedHalfSpace& start, Resources resources) {
+  Array<double> pressure(large.size(), resources.memory);
+  std::ranges::fill(pressure, 0.);
   for (int j = 0; j < start.grid.ny; ++j) {
     for (int i = 0; i < start.grid.nx; ++i) {
       pressure[large.index(i, j)] = start.pressure[start.grid.index(i, j)] / start.contact_modulus;
@@ -226,8 +256,8 @@ std::vector<double> extended_start(const Grid& large, const PressedHalfSpace& st
 }
 
 // Takes the earlier pressure in place of the one from the coarser grid if its residual is smaller.
-void prefer_start(ContactSolver& solver, Prescribed prescribed, double value, std::vector<double> start,
-                  std::vector<double>& pressure) {
+void prefer_start(ContactSolver& solver, Prescribed prescribed, double value, Array<double> start,
+                  Array<double>& pressure) {
   if (solver.residual_of(prescribed, value, start) < solver.residual_of(prescribed, value, pressure)) {
     pressure = std::move(start);
   }
@@ -244,6 +274,11 @@ void PressSettings::check() const {
   require_in("threads", threads, 1, Workers::most_threads);
 }
 
+int PressSettings::threads_on(const Grid& grid) const {
+  constexpr std::size_t least_cells_for_threads = 100 * 100;
+  return grid.size() < least_cells_for_threads ? 1 : threads;
+}
+
 PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<const double> gap,
                                   double contact_modulus, const Press& press, const PressSettings& settings,
                                   const PressedHalfSpace* start) {
@@ -254,46 +289,50 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   check_press(grid, surface, press, contact_modulus, least);
   check_start(grid, surface, start);
 
-  std::vector<Level> levels = make_levels(grid, surface, gap, least);
+  Workers workers(settings.threads_on(grid)), alone(1);
+  PageMemory memory(ContactSolver::bytes_per_cell * grid.size());
+  std::vector<Level> levels = make_levels(grid, surface, gap, least, {workers, memory});
   if (start != nullptr) levels.erase(levels.begin(), levels.end() - 2);
   const Level& last = levels.back();
   const bool is_load = press.prescribed == Prescribed::load;
 
-  Workers workers(settings.threads);
-  Workers alone(1);
   PressedHalfSpace result{};
   Measured coarse, fine;
-  std::vector<double> coarse_pressure, pressure;
+  Array<double> pressure;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const Level& level = levels[k];
     const bool finest = k + 1 == levels.size();
-    ContactSolver solver(level.grid, surface, level.gap, level.grid.size() < least_cells_for_threads ? alone : workers);
+    const Resources resources{settings.threads_on(level.grid) > 1 ? workers : alone, memory};
     const double value = is_load ? press.value / contact_modulus / level.grid.cell_area() : press.value - least;
 
     if (k > 0) {
-      coarse_pressure = std::exchange(pressure, refine_pressure(levels[k - 1].grid, surface, pressure));
-      if (start != nullptr) prefer_start(solver, press.prescribed, value, extended_start(last.grid, *start), pressure);
+      pressure = refine_pressure(levels[k - 1].grid, surface, pressure, resources);
     } else if (start != nullptr) {
-      pressure = coarsen_pressure(last.grid, extended_start(last.grid, *start));
+      pressure = coarsen_pressure(last.grid, extended_start(last.grid, *start, resources), resources);
     } else {
-      pressure = cold_start(level, press.prescribed, value);
+      pressure = cold_start(level, press.prescribed, value, resources);
     }
 
     // The last but one is half of the error estimate.
     const double factor = finest ? 1 : k + 2 == levels.size() ? estimate_tolerance : coarse_tolerance;
     const double tolerance = factor * settings.tolerance;
-    const SolverStatus status =
-        solver.solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);
+    const SolverStatus status = [&] {
+      ContactSolver solver(level.grid, surface, level.gap, resources);
+      if (k > 0 && start != nullptr) {
+        prefer_start(solver, press.prescribed, value, extended_start(last.grid, *start, resources), pressure);
+      }
+      return solver.solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);
+    }();
     result.residual = status.residual;
     result.iterations = status.iterations;
     result.all_iterations += status.iterations;
     result.products += status.products * static_cast<double>(level.grid.size()) / static_cast<double>(last.grid.size());
     if (finest && surface == Surface::free) check_border(grid, level.grid, pressure);
     if (k + 2 >= levels.size()) {
-      coarse = std::exchange(fine, measure(level.grid, surface, pressure, status.approach));
+      coarse = std::exchange(fine, measure(level.grid, surface, pressure, status.approach, resources));
     }
   }
-  estimate_zones(last.grid, fine, coarse, coarse_pressure, result.residual);
+  estimate_zones(last.grid, fine, coarse, result.residual);
 
   const double modulus = contact_modulus;
   const auto estimated = [&](double factor, double of_fine, double of_coarse) {

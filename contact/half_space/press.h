@@ -48,6 +48,7 @@ struct PressSettings {
   SolverObserver observer;   // may be empty
 
   void check() const;  // throws std::invalid_argument
+  int threads_on(const Grid& grid) const;
 };
 
 struct ContactZone {

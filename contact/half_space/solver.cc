@@ -26,20 +26,20 @@ std::array<double, 2> first_two(const Tally& tally) { return {tally.sums[0], tal
 
 }  // namespace
 
-ContactSolver::ContactSolver(const Grid& grid, Surface surface, std::span<const double> gap, Workers& workers)
+ContactSolver::ContactSolver(const Grid& grid, Surface surface, std::span<const double> gap, Resources resources)
     : grid_(grid),
       surface_(surface),
       gap_(gap),
       least_gap_(*std::ranges::min_element(gap)),
-      workers_(workers),
-      pieces_(grid.size(), workers),
-      product_(grid, surface, workers.count()),
-      preconditioner_(grid, surface, workers.count()),
-      g_(grid.size()),
-      direction_(grid.size()),
-      work_(grid.size()),
-      on_(grid.size()),
-      uniform_(grid.size()) {}
+      workers_(resources.workers),
+      pieces_(grid.size(), workers_),
+      product_(grid, surface, resources),
+      preconditioner_(grid, surface, resources),
+      g_(grid.size(), resources.memory),
+      direction_(grid.size(), resources.memory),
+      work_(grid.size(), resources.memory),
+      on_(grid.size(), resources.memory),
+      uniform_(grid.size(), resources.memory) {}
 
 SolverStatus ContactSolver::solve(Prescribed prescribed, double value, double tolerance, int max_iterations,
                                   const SolverObserver& observer, std::span<double> pressure) {
@@ -84,7 +84,7 @@ double ContactSolver::stiffness(std::span<const double> pressure, double toleran
   std::vector<double> q(grid_.size());
   std::ranges::fill(g_, -1.);
   std::ranges::transform(pressure, on_.begin(), [](double p) { return p > 0 ? 1. : 0.; });
-  work_ = on_;
+  std::ranges::copy(on_, work_.begin());
   set_size_ = std::accumulate(on_.begin(), on_.end(), 0.);
   set_residual_ = 1;
   for (int iteration = 0; set_residual_ > tolerance; ++iteration) {
@@ -96,11 +96,17 @@ double ContactSolver::stiffness(std::span<const double> pressure, double toleran
 }
 
 void ContactSolver::begin(Prescribed prescribed, double value, std::span<double> p) {
-  std::ranges::fill(on_, 0.);
+  pieces_.each([&](std::size_t i, std::size_t n) { std::fill_n(&on_[i], n, 0.); });
   approach_ = value;  // a given load forms it from the pressure
   if (prescribed == Prescribed::approach) return;
-  const double sum = std::accumulate(p.begin(), p.end(), 0.);
-  for (double& cell : p) cell = sum > 0 ? cell * (value / sum) : value / static_cast<double>(p.size());
+  const double sum = pieces_.total([&](std::size_t i, std::size_t n) { return kernels::sum(n, &p[i]); }).sums[0];
+  pieces_.each([&](std::size_t i, std::size_t n) {
+    if (sum > 0) {
+      kernels::scale(n, value / sum, &p[i]);
+    } else {
+      std::fill_n(&p[i], n, value / static_cast<double>(p.size()));
+    }
+  });
 }
 
 // g becomes u_z; the approach that a given load starts from is the mean over the pressure.
@@ -131,7 +137,7 @@ bool ContactSolver::choose_set(bool fresh, std::span<const double> p) {
 // One step of conjugate gradients in A. A given load: the gradient is shifted by the change of the approach that keeps
 // the sum of the direction at zero.
 void ContactSolver::step(Prescribed prescribed, bool with_last_direction, std::span<double> p) {
-  apply_preconditioner(work_.data());
+  apply_preconditioner(work_.data(), work_.data());
   double shift = 0;
   if (prescribed == Prescribed::load) {
     const Tally tally =
@@ -169,14 +175,13 @@ bool ContactSolver::cut(Prescribed prescribed, double load, std::span<double> p)
   return negative > 0;
 }
 
-void ContactSolver::apply_preconditioner(double* field) {
-  preconditioner_.apply(field, field, workers_);
+void ContactSolver::apply_preconditioner(const double* r, double* Mr) {
+  preconditioner_.apply(r, Mr, workers_);
   products_ += surface_ == Surface::free ? 0.25 : 1;
 }
 
 void ContactSolver::prepare_load_projection() {
-  std::ranges::copy(on_, uniform_.begin());
-  apply_preconditioner(uniform_.data());
+  apply_preconditioner(on_.data(), uniform_.data());
   uniform_sum_ =
       pieces_.total([&](std::size_t i, std::size_t n) { return kernels::mask(n, &on_[i], &uniform_[i]); }).sums[0];
 }

@@ -19,13 +19,12 @@
 
 #include <functional>
 #include <span>
-#include <vector>
 
 #include <patchgrip/contact/half_space/convolution.h>
 #include <patchgrip/contact/half_space/grid.h>
 #include <patchgrip/contact/half_space/pieces.h>
 #include <patchgrip/contact/half_space/preconditioner.h>
-#include <patchgrip/contact/half_space/workers.h>
+#include <patchgrip/contact/half_space/resources.h>
 
 namespace patchgrip::contact {
 
@@ -49,7 +48,10 @@ struct SolverStatus {
 
 class ContactSolver {
  public:
-  ContactSolver(const Grid& grid, Surface surface, std::span<const double> gap, Workers& workers);
+  // Enough for the fields of one on a free surface, its gap and pressure, and those of all coarser grids.
+  static constexpr std::size_t bytes_per_cell = 160;
+
+  ContactSolver(const Grid& grid, Surface surface, std::span<const double> gap, Resources resources);
 
   // Changes `pressure`, the start, into the solution. `value` is the approach [m], or the sum of p / E*, > 0. Allocates
   // nothing.
@@ -70,7 +72,7 @@ class ContactSolver {
   bool choose_set(bool fresh, std::span<const double> p);
   void step(Prescribed prescribed, bool with_last_direction, std::span<double> p);
   bool cut(Prescribed prescribed, double load, std::span<double> p);
-  void apply_preconditioner(double* field);
+  void apply_preconditioner(const double* r, double* Mr);
   void prepare_load_projection();
 
   Grid grid_;
@@ -82,11 +84,11 @@ class ContactSolver {
   Convolution product_;
   Preconditioner preconditioner_;
 
-  std::vector<double> g_;          // g
-  std::vector<double> direction_;  // d, zero outside A
-  std::vector<double> work_;       // -g in A, then M of it, then K d
-  std::vector<double> on_;         // 1 in A, else 0
-  std::vector<double> uniform_;    // M 1_A in A, for a given load
+  Array<double> g_;          // g
+  Array<double> direction_;  // d, zero outside A
+  Array<double> work_;       // -g in A, then M of it, then K d
+  Array<double> on_;         // 1 in A, else 0
+  Array<double> uniform_;    // M 1_A in A, for a given load
 
   double approach_ = 0;
   double scale_ = 0;         // s

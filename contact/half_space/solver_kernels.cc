@@ -97,6 +97,13 @@ PATCHGRIP_VECTOR_CLONES Tally cut(std::size_t n, double* __restrict p) noexcept 
   return {{negative, sum}};
 }
 
+PATCHGRIP_VECTOR_CLONES Tally sum(std::size_t n, const double* __restrict p) noexcept {
+  double sum = 0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < n; ++i) sum += p[i];
+  return {{sum}};
+}
+
 PATCHGRIP_VECTOR_CLONES Tally masked_sum(std::size_t n, const double* __restrict on,
                                          const double* __restrict z) noexcept {
   double sum = 0;

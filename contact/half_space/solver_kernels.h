@@ -31,6 +31,9 @@ Tally advance(std::size_t n, double length, double shift, const double* d, const
 // p = max(p, 0). Sums: cells with p < 0; of p afterwards.
 Tally cut(std::size_t n, double* p) noexcept;
 
+// Sum: p.
+Tally sum(std::size_t n, const double* p) noexcept;
+
 // Sum: on z.
 Tally masked_sum(std::size_t n, const double* on, const double* z) noexcept;
 

@@ -7,19 +7,16 @@
 #include <cmath>
 #include <complex>
 #include <mutex>
-#include <new>
 #include <numbers>
 #include <stdexcept>
-#include <vector>
 
 namespace patchgrip::contact {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int block = 4;         // columns that are copied together: a line of the cache
-constexpr int rows_at_once = 8;  // a part of the work for a thread
-constexpr int aligned = 4;       // complex numbers: rows and columns start on a line of the cache
+constexpr int block = 4;    // columns that are copied together: a line of the cache
+constexpr int aligned = 4;  // complex numbers: rows and columns start on a line of the cache
 
 std::mutex& planner() {
   static std::mutex lock;
@@ -43,19 +40,9 @@ struct Plan {
   fftw_plan plan;
 };
 
-template <class Number>
-struct Buffer {
-  explicit Buffer(std::size_t count) : data(static_cast<Number*>(fftw_malloc(count * sizeof(Number)))) {
-    if (data == nullptr) throw std::bad_alloc();
-  }
-  ~Buffer() { fftw_free(data); }
-  Buffer(const Buffer&) = delete;
-  Buffer& operator=(const Buffer&) = delete;
-
-  Number* data;
-};
-
 fftw_complex* raw(Complex* z) { return reinterpret_cast<fftw_complex*>(z); }
+
+std::size_t threads(Resources resources) { return static_cast<std::size_t>(resources.workers.count()); }
 
 std::size_t round_up(int n, int unit) { return static_cast<std::size_t>((n + unit - 1) / unit * unit); }
 
@@ -67,7 +54,7 @@ Complex times(Complex z, Complex w) {
 }  // namespace
 
 struct SpectralProduct::Body {
-  Body(int columns, int rows, Padding padding, int threads)
+  Body(int columns, int rows, Padding padding, Resources resources)
       : nx(columns),
         ny(rows),
         padded(padding == Padding::doubled),
@@ -79,12 +66,13 @@ struct SpectralProduct::Body {
         column_size(round_up(ny, aligned) +
                     aligned),  // not a power of two: columns of a block must not evict each other
         halves(padded ? 2 : 1),
-        row_buffer(static_cast<std::size_t>(threads) * row_size),
-        spectrum(static_cast<std::size_t>(ny) * stride),
-        column_buffer(static_cast<std::size_t>(threads) * buffer_size()),
-        turn(static_cast<std::size_t>(ny)),
-        row_forward([this] { return fftw_plan_dft_r2c_1d(mx, row_buffer.data, raw(spectrum.data), FFTW_ESTIMATE); }),
-        row_back([this] { return fftw_plan_dft_c2r_1d(mx, raw(spectrum.data), row_buffer.data, FFTW_ESTIMATE); }),
+        row_buffer(threads(resources) * row_size, resources.memory),
+        spectrum(static_cast<std::size_t>(ny) * stride, resources.memory),
+        column_buffer(threads(resources) * buffer_size(), resources.memory),
+        turn(static_cast<std::size_t>(ny), resources.memory),
+        row_forward(
+            [this] { return fftw_plan_dft_r2c_1d(mx, row_buffer.data(), raw(spectrum.data()), FFTW_ESTIMATE); }),
+        row_back([this] { return fftw_plan_dft_c2r_1d(mx, raw(spectrum.data()), row_buffer.data(), FFTW_ESTIMATE); }),
         column_forward([this] { return plan_column(FFTW_FORWARD); }),
         column_back([this] { return plan_column(FFTW_BACKWARD); }) {
     for (int j = 0; j < ny; ++j) turn[static_cast<std::size_t>(j)] = std::polar(1., -std::numbers::pi * j / ny);
@@ -93,32 +81,32 @@ struct SpectralProduct::Body {
   // A block of columns, twice if padded, and one column of transforms.
   std::size_t buffer_size() const noexcept { return static_cast<std::size_t>(halves * block + 1) * column_size; }
 
-  fftw_plan plan_column(int sign) const {
-    Complex* first = column_buffer.data;
+  fftw_plan plan_column(int sign) {
+    Complex* first = column_buffer.data();
     return fftw_plan_dft_1d(ny, raw(first), raw(first + column_size), sign, FFTW_ESTIMATE);
   }
 
-  Complex* spectrum_row(int j) const { return spectrum.data + static_cast<std::size_t>(j) * stride; }
+  Complex* spectrum_row(int j) { return spectrum.data() + static_cast<std::size_t>(j) * stride; }
 
-  void transform_row(int j, int thread, const double* x) const {
+  void transform_row(int j, int thread, const double* x) {
     const double* from = x + static_cast<std::size_t>(j) * static_cast<std::size_t>(nx);
     if (std::all_of(from, from + nx, [](double value) { return value == 0; })) {
       std::fill_n(spectrum_row(j), spectrum_columns, Complex());
       return;
     }
-    double* row = row_buffer.data + static_cast<std::size_t>(thread) * row_size;
+    double* row = row_buffer.data() + static_cast<std::size_t>(thread) * row_size;
     std::fill(std::copy_n(from, nx, row), row + mx, 0.);
     fftw_execute_dft_r2c(row_forward.plan, row, raw(spectrum_row(j)));
   }
 
-  void transform_row_back(int j, int thread, double* y) const {
-    double* row = row_buffer.data + static_cast<std::size_t>(thread) * row_size;
+  void transform_row_back(int j, int thread, double* y) {
+    double* row = row_buffer.data() + static_cast<std::size_t>(thread) * row_size;
     fftw_execute_dft_c2r(row_back.plan, raw(spectrum_row(j)), row);
     std::copy_n(row, nx, y + static_cast<std::size_t>(j) * static_cast<std::size_t>(nx));
   }
 
-  PATCHGRIP_VECTOR_CLONES void filter_columns(int first, int thread, const double* symbol) const {
-    Complex* buffer = column_buffer.data + static_cast<std::size_t>(thread) * buffer_size();
+  PATCHGRIP_VECTOR_CLONES void filter_columns(int first, int thread, const double* symbol) {
+    Complex* buffer = column_buffer.data() + static_cast<std::size_t>(thread) * buffer_size();
     Complex* even = buffer;
     Complex* odd = even + static_cast<std::size_t>(block) * column_size;
     Complex* transform = even + static_cast<std::size_t>(halves * block) * column_size;
@@ -157,14 +145,14 @@ struct SpectralProduct::Body {
   int mx, my, spectrum_columns;
   std::size_t row_size, stride, column_size;
   int halves;
-  Buffer<double> row_buffer;
-  Buffer<Complex> spectrum, column_buffer;
-  std::vector<Complex> turn;  // exp(-i pi j / ny)
+  Array<double> row_buffer;
+  Array<Complex> spectrum, column_buffer;
+  Array<Complex> turn;  // exp(-i pi j / ny)
   Plan row_forward, row_back, column_forward, column_back;
 };
 
-SpectralProduct::SpectralProduct(int nx, int ny, Padding padding, int threads)
-    : body_(std::make_unique<Body>(nx, ny, padding, threads)) {}
+SpectralProduct::SpectralProduct(int nx, int ny, Padding padding, Resources resources)
+    : body_(std::make_unique<Body>(nx, ny, padding, resources)) {}
 SpectralProduct::~SpectralProduct() = default;
 SpectralProduct::SpectralProduct(SpectralProduct&&) noexcept = default;
 SpectralProduct& SpectralProduct::operator=(SpectralProduct&&) noexcept = default;
@@ -177,23 +165,44 @@ std::size_t SpectralProduct::symbol_size() const noexcept {
 double SpectralProduct::normalisation() const noexcept { return static_cast<double>(body_->mx) * body_->my; }
 
 void SpectralProduct::apply(const double* symbol, const double* x, double* y, Workers& workers) {
-  const Body& body = *body_;
-  const auto each_row = [&](const auto& transform) {
-    workers.run((body.ny + rows_at_once - 1) / rows_at_once, [&](int part, int thread) {
-      const int end = std::min(body.ny, (part + 1) * rows_at_once);
-      for (int j = part * rows_at_once; j < end; ++j) transform(j, thread);
-    });
-  };
-  each_row([&](int j, int thread) { body.transform_row(j, thread, x); });
+  Body& body = *body_;
+  workers.each_row(body.ny, [&](int j, int thread) { body.transform_row(j, thread, x); });
   workers.run((body.spectrum_columns + block - 1) / block,
               [&](int part, int thread) { body.filter_columns(part * block, thread, symbol); });
-  each_row([&](int j, int thread) { body.transform_row_back(j, thread, y); });
+  workers.each_row(body.ny, [&](int j, int thread) { body.transform_row_back(j, thread, y); });
 }
 
-void cosine_transform(int columns, int rows, double* table) {
-  const Plan plan(
-      [&] { return fftw_plan_r2r_2d(rows, columns, table, table, FFTW_REDFT00, FFTW_REDFT00, FFTW_ESTIMATE); });
-  fftw_execute(plan.plan);
+void cosine_transform(int columns, int rows, double factor, double* table, Resources resources) {
+  constexpr int lines = 8;  // columns of doubles on a line of the cache
+  const std::size_t size = round_up(std::max(columns, rows), lines) + lines;
+  Array<double> buffers(threads(resources) * lines * size, resources.memory);
+  const auto plan_line = [&](int count) {
+    return [&, count] { return fftw_plan_r2r_1d(count, buffers.data(), buffers.data(), FFTW_REDFT00, FFTW_ESTIMATE); };
+  };
+  const auto buffer = [&](int thread, int line) {
+    return buffers.data() + static_cast<std::size_t>(thread * lines + line) * size;
+  };
+  const auto row = [&](int j) { return table + static_cast<std::size_t>(j) * static_cast<std::size_t>(columns); };
+
+  const Plan plan_row(plan_line(columns));
+  resources.workers.each_row(rows, [&](int j, int thread) {
+    double* line = buffer(thread, 0);
+    std::copy_n(row(j), columns, line);
+    fftw_execute_r2r(plan_row.plan, line, line);
+    std::copy_n(line, columns, row(j));
+  });
+
+  const Plan plan_column(plan_line(rows));
+  resources.workers.run((columns + lines - 1) / lines, [&](int part, int thread) {
+    const int first = part * lines, count = std::min(lines, columns - first);
+    for (int j = 0; j < rows; ++j) {
+      for (int c = 0; c < count; ++c) buffer(thread, c)[j] = row(j)[first + c];
+    }
+    for (int c = 0; c < count; ++c) fftw_execute_r2r(plan_column.plan, buffer(thread, c), buffer(thread, c));
+    for (int j = 0; j < rows; ++j) {
+      for (int c = 0; c < count; ++c) row(j)[first + c] = factor * buffer(thread, c)[j];
+    }
+  });
 }
 
 }  // namespace patchgrip::contact

@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <memory>
 
-#include <patchgrip/contact/half_space/workers.h>
+#include <patchgrip/contact/half_space/resources.h>
 
 namespace patchgrip::contact {
 
@@ -26,7 +26,7 @@ enum class Padding { none, doubled };
 
 class SpectralProduct {
  public:
-  SpectralProduct(int nx, int ny, Padding padding, int threads);
+  SpectralProduct(int nx, int ny, Padding padding, Resources resources);
   ~SpectralProduct();
   SpectralProduct(SpectralProduct&&) noexcept;
   SpectralProduct& operator=(SpectralProduct&&) noexcept;
@@ -41,13 +41,22 @@ class SpectralProduct {
   // x and y may be the same.
   void apply(const double* symbol, const double* x, double* y, Workers& workers);
 
+  // The symbol that apply() takes: value(i, j) of x frequency i and y frequency j, over the normalisation.
+  template <class Value>
+  void fill_symbol(const Value& value, double* symbol, Workers& workers) const {
+    workers.run(columns(), [&](int i, int) {
+      double* column = symbol + static_cast<std::ptrdiff_t>(i) * rows();
+      for (int j = 0; j < rows(); ++j) column[j] = value(i, j) / normalisation();
+    });
+  }
+
  private:
   struct Body;
   std::unique_ptr<Body> body_;
 };
 
 // In place, of a field of `rows` rows of `columns` numbers that is even about its first and last row and column: its
-// Fourier transform (FFTW's REDFT00).
-void cosine_transform(int columns, int rows, double* table);
+// Fourier transform (FFTW's REDFT00), times `factor`.
+void cosine_transform(int columns, int rows, double factor, double* table, Resources resources);
 
 }  // namespace patchgrip::contact

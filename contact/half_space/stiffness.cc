@@ -20,8 +20,9 @@ std::vector<double> coarser_contact(const Grid& fine, const Grid& coarse, std::s
 // Of E*, [m].
 double stiffness(const Grid& grid, std::span<const double> contact, const PressSettings& settings) {
   const std::vector<double> flat(grid.size());
-  Workers workers(settings.threads);
-  ContactSolver solver(grid, Surface::free, flat, workers);
+  Workers workers(settings.threads_on(grid));
+  PageMemory memory(ContactSolver::bytes_per_cell * grid.size());
+  ContactSolver solver(grid, Surface::free, flat, {workers, memory});
   return solver.stiffness(contact, settings.tolerance, settings.max_iterations, settings.observer) * grid.cell_area();
 }
 

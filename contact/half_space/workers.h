@@ -8,6 +8,7 @@
 // Throws   std::invalid_argument outside the domain, std::system_error when a thread cannot be started.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -38,6 +39,16 @@ class Workers {
         parts,
         [](const void* function, int index, int thread) { (*static_cast<const Part*>(function))(index, thread); },
         std::addressof(part));
+  }
+
+  // act(row, thread) for the rows 0 ... rows - 1, a few at a time.
+  template <class Act>
+  void each_row(int rows, const Act& act) {
+    constexpr int at_once = 8;
+    run((rows + at_once - 1) / at_once, [&](int part, int thread) {
+      const int end = std::min(rows, (part + 1) * at_once);
+      for (int row = part * at_once; row < end; ++row) act(row, thread);
+    });
   }
 
  private:

@@ -16,7 +16,8 @@ constexpr double pi = std::numbers::pi;
 
 std::vector<ZoneArea> areas(const Grid& grid, Surface surface, const GapFunction& pressure) {
   const auto field = sample(grid, pressure);
-  return zone_areas(grid, surface, field, map_zones(grid, surface, field));
+  Workers workers(2);
+  return zone_areas(grid, surface, field, map_zones(grid, surface, field, {workers}), {workers});
 }
 
 GapFunction hertz(double x0, double y0, double a = 1, double b = 1) {

@@ -21,7 +21,7 @@ struct Solved {
 Solved solve(const Grid& grid, const std::vector<double>& gap, Prescribed prescribed, double value,
              std::vector<double> start, double tolerance = 1e-10) {
   Workers workers(1);
-  ContactSolver solver(grid, Surface::free, gap, workers);
+  ContactSolver solver(grid, Surface::free, gap, {workers});
   const SolverStatus status = solver.solve(prescribed, value, tolerance, 500, {}, start);
   return {status, std::move(start)};
 }
@@ -55,7 +55,7 @@ TEST(ContactSolver, ResidualIsThatOfThePressure) {
   for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
     auto solved = solve(grid, gap, Prescribed::approach, 1, std::vector<double>(grid.size(), 1.), tolerance);
     Workers workers(1);
-    ContactSolver solver(grid, Surface::free, gap, workers);
+    ContactSolver solver(grid, Surface::free, gap, {workers});
     EXPECT_NEAR(solver.residual_of(Prescribed::approach, 1, solved.pressure), solved.status.residual, 0.01 * tolerance);
     EXPECT_LE(solved.status.residual, tolerance);
   }

@@ -50,7 +50,7 @@ TEST(HalfSpaceAllocation, DoesNotHappenInAnIteration) {
       for (const Prescribed prescribed : {Prescribed::approach, Prescribed::load}) {
         if (surface == Surface::periodic && prescribed == Prescribed::approach) continue;
         Workers workers(threads);
-        ContactSolver solver(grid, surface, gap, workers);
+        ContactSolver solver(grid, surface, gap, {workers});
         std::vector<double> pressure(grid.size(), 1.);
         long first = 0, last = 0;
         const SolverObserver observer = [&](const SolverProgress& progress) {

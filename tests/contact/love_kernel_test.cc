@@ -79,7 +79,8 @@ TEST(LoveKernel, TableOfAGridAgreesWithFiftyDigits) {
   for (const double aspect : {1., 0.3, 8.}) {
     const Grid grid = Grid::of_cells(512, 512, 0.01, 0.01 / aspect);
     std::vector<double> table(513 * 513);
-    fill_love_table(grid, 513, 513, table.data());
+    Workers workers(2);
+    fill_love_table(grid, 513, 513, table.data(), workers);
     std::mt19937_64 engine(20061202);
     double worst = 0;
     for (int k = 0; k < cases(1200); ++k) {

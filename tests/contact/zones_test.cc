@@ -45,7 +45,8 @@ RC_GTEST_PROP(ZoneMap, LayersAreDistancesToTheEdge, ()) {
   const Grid grid = Grid::of_cells(*rc::gen::inRange(8, 14), *rc::gen::inRange(8, 14), 1, 1);
   for (const Surface surface : {Surface::free, Surface::periodic}) {
     const auto field = random_cells(grid, *rc::gen::arbitrary<unsigned>(), 0.01 * *rc::gen::inRange(1, 100));
-    const ZoneMap map = map_zones(grid, surface, field);
+    Workers workers(*rc::gen::inRange(1, 3));
+    const ZoneMap map = map_zones(grid, surface, field, {workers});
     for (int j = 0; j < grid.ny; ++j) {
       for (int i = 0; i < grid.nx; ++i)
         RC_ASSERT(int{map.layer[grid.index(i, j)]} == layer(grid, surface, field, i, j));
@@ -58,7 +59,8 @@ RC_GTEST_PROP(ZoneMap, ZonesAreConnectedAndApart, ()) {
   const Grid grid = Grid::of_cells(*rc::gen::inRange(8, 14), *rc::gen::inRange(8, 14), 1, 1);
   for (const Surface surface : {Surface::free, Surface::periodic}) {
     const auto field = random_cells(grid, *rc::gen::arbitrary<unsigned>(), 0.01 * *rc::gen::inRange(1, 80));
-    const ZoneMap map = map_zones(grid, surface, field);
+    Workers workers(*rc::gen::inRange(1, 3));
+    const ZoneMap map = map_zones(grid, surface, field, {workers});
     std::vector<int> flooded(grid.size(), -1);
     int count = 0;
     const std::function<void(int, int)> flood = [&](int i, int j) {
