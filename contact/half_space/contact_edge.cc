@@ -143,7 +143,7 @@ class LevelSet {
       constexpr double per_edge_cell = std::numbers::pi / 4;  // a circle of r cells has 8 r cells in its outer layer
       result[k].area =
           grid_.cell_area() * (result[k].resolved ? static_cast<double>(zone.area) / area_units : zone.cells);
-      result[k].error = grid_.cell_area() * per_edge_cell * edge;
+      result[k].error = edge_cells > 0 ? grid_.cell_area() * std::max(per_edge_cell * edge, least_area_error) : 0;
     }
     return result;
   }

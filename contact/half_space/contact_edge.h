@@ -8,10 +8,11 @@
 // Of cells that are constant, the solver's pressure has its edge edge_offset cells too far out in the mean over
 // directions, whatever the contact (near a smooth edge all look alike): the zero of the fit is moved in by as much.
 //
-// Error    an estimate: perimeter times cell times edge_error (fitted) or counted_edge_error. Hertz' contact, radius
-//          0.4 of the grid's width: 4e-4, 1e-4, 4e-5, 2e-5, 1e-5 of the area at 64, 128, 256, 512, 1024 cells a side;
-//          true errors are at most three times the estimate, on circles and ellipses to 10:1, and often far below.
-//          tests/contact/contact_edge_test.cc, press_test.cc.
+// Error    an estimate: perimeter times cell times edge_error (fitted) or counted_edge_error, not below
+//          least_area_error where there is an edge. Hertz' contact, radius 0.4 of the grid's width: 4e-4, 1e-4, 4e-5,
+//          2e-5, 1e-5 of the area at 64, 128, 256, 512, 1024 cells a side; true errors are at most three times the
+//          estimate, on circles and ellipses to 10:1, and often far below. tests/contact/contact_edge_test.cc,
+//          press_test.cc.
 // Fails    where a zone is too narrow to fit (about 8 cells), and where p does not fall to zero at the edge (a punch).
 //          Where that is so along more than half of the edge, the area is that of the cells with p > 0, and resolved is
 //          false. Zones closer than five cells disturb each other.
@@ -32,6 +33,7 @@ namespace patchgrip::contact {
 inline constexpr double edge_offset = 0.008;
 inline constexpr double edge_error = 1. / 300;
 inline constexpr double counted_edge_error = 1. / 6;
+inline constexpr double least_area_error = 0.3;  // cells of area
 
 struct ZoneArea {
   double area;

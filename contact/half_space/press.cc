@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -19,6 +21,10 @@ constexpr int coarsest_cells = 32;        // a side of the first grid has at lea
 constexpr double coarse_tolerance = 30;   // of the one asked for
 constexpr double estimate_tolerance = 4;  // the same, of the grid that the errors are estimated from
 constexpr double order_factor = 2.4;      // 2^order - 1 of what is measured on Hertz' contact
+// Errors of Hertz' contact over (h / a)^2, at least, when the two grids agree by chance; a the radius, h the longer side
+// of a cell. For each zone, or all zones in the mean over their forces.
+constexpr double force_floor = 0.05, approach_floor = 0.035, peak_floor = 0.08;
+constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double least_magnitude = 1e-100, most_magnitude = 1e100;  // squares neither overflow nor underflow
 
 struct Level {
@@ -139,8 +145,14 @@ Measured measure(const Grid& grid, Surface surface, std::span<const double> pres
   return result;
 }
 
-double estimate(double fine, double coarse, double residual) {
-  return std::hypot((fine - coarse) / order_factor, residual * fine);
+// (h / a)^2
+double coarseness(const Grid& grid, double area) {
+  const double h = std::max(grid.dx, grid.dy);
+  return std::numbers::pi * h * h / area;
+}
+
+double estimate(double fine, double coarse, double floor, double residual) {
+  return std::hypot(std::max(std::abs(fine - coarse) / order_factor, floor * std::abs(fine)), residual * fine);
 }
 
 // The zones of the coarser grid are those of the finer one that lie around their highest cell.
@@ -167,17 +179,15 @@ void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coars
     const Sum& sum = sums[k];
     ContactZone& zone = fine.zones[k];
     if (sum.force > 0) {
-      zone.force.error = estimate(zone.force.value, sum.force, residual);
+      const double floor = coarseness(fine_grid, zone.counted_area);
+      zone.force.error = estimate(zone.force.value, sum.force, force_floor * floor, residual);
       zone.area.error = std::max(zone.area.error, std::abs(zone.area.value - sum.area) / order_factor);
-      zone.peak_pressure.error = estimate(zone.peak_pressure.value, sum.peak, residual);
+      zone.peak_pressure.error = estimate(zone.peak_pressure.value, sum.peak, peak_floor * floor, residual);
       zone.centre_error =
           std::hypot(zone.x - sum.moment_x / sum.force, zone.y - sum.moment_y / sum.force) / order_factor;
       zone.centre_error += residual * std::sqrt(zone.area.value);
     } else {
-      zone.force.error = zone.force.value;
-      zone.area.error = zone.area.value;
-      zone.peak_pressure.error = zone.peak_pressure.value;
-      zone.centre_error = std::sqrt(zone.area.value);
+      zone.force.error = zone.area.error = zone.peak_pressure.error = zone.centre_error = unknown;
     }
   }
 }
@@ -335,18 +345,29 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   estimate_zones(last.grid, fine, coarse, result.residual);
 
   const double modulus = contact_modulus;
-  const auto estimated = [&](double factor, double of_fine, double of_coarse) {
-    return Estimate{factor * of_fine, factor * estimate(of_fine, of_coarse, result.residual)};
+  double mean_coarseness = 0, peak_coarseness = 0;
+  for (const ContactZone& zone : fine.zones) {
+    const double of_zone = coarseness(last.grid, zone.counted_area);
+    mean_coarseness += zone.force.value / fine.force * of_zone;
+    if (zone.peak_pressure.value == fine.peak) peak_coarseness = of_zone;
+  }
+  const bool is_known = !coarse.zones.empty();
+  const auto estimated = [&](double factor, double of_fine, double of_coarse, double floor) {
+    return Estimate{factor * of_fine,
+                    is_known ? factor * estimate(of_fine, of_coarse, floor, result.residual) : unknown};
   };
   result.grid = grid;
   result.surface = surface;
   result.contact_modulus = modulus;
   result.pressure = cropped(grid, last.grid, pressure, modulus);
-  result.force = is_load ? Estimate{press.value, 0} : estimated(modulus, fine.force, coarse.force);
-  result.approach = is_load ? estimated(1, fine.approach, coarse.approach) : Estimate{press.value, 0};
+  result.force =
+      is_load ? Estimate{press.value, 0} : estimated(modulus, fine.force, coarse.force, force_floor * mean_coarseness);
+  result.approach = is_load ? estimated(1, fine.approach, coarse.approach, approach_floor * mean_coarseness)
+                            : Estimate{press.value, 0};
   if (is_load) result.approach.value += least;
-  result.peak_pressure = estimated(modulus, fine.peak, coarse.peak);
-  result.area = {fine.area, std::max(fine.area_error, std::abs(fine.area - coarse.area) / order_factor)};
+  result.peak_pressure = estimated(modulus, fine.peak, coarse.peak, peak_floor * peak_coarseness);
+  result.area = {fine.area,
+                 is_known ? std::max(fine.area_error, std::abs(fine.area - coarse.area) / order_factor) : unknown};
   result.counted_area = fine.counted_area;
   result.zones = std::move(fine.zones);
   for (ContactZone& zone : result.zones) {

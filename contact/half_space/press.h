@@ -12,10 +12,12 @@
 //          even, and the force is prescribed. Magnitudes of f, delta - least f, E* and F / (E* dx dy) up to 1e100,
 //          above 1e-100 but for f.
 // Units    f, delta [m], p, E* [Pa], F [N], areas [m^2].
-// Error    of each value an estimate: the difference to the grid with half as many cells a side, over 2.4, and the
-//          solver's residual; of areas see contact_edge.h. Force and approach of a Hertz contact of 50 cells across or
-//          more: right within a factor 3; peak and area: true errors up to 3 times the estimate, by chance far below
-//          (tests/contact/press_test.cc). A zone that the coarser grid does not have carries 100 %.
+// Error    of each value an estimate: the difference to the grid with half as many cells a side, over 2.4, or what a
+//          Hertz contact of as many cells is off by, if that is more, and the solver's residual; of areas see
+//          contact_edge.h. Force and approach of a Hertz contact of 50 cells across or more: right within a factor 3;
+//          of 3 cells across or more: true errors up to 3 times the estimate, of the peak too. Peak and area of large
+//          contacts: by chance far below (tests/contact/press_test.cc). Infinite where the coarser grid has no contact,
+//          or not this zone: what touches in one or two cells may carry hundreds of times the value.
 // Fails    on a rough surface that the grid does not resolve: the estimates then show it.
 // Throws   std::invalid_argument outside the domain; std::domain_error if the contact touches the border of a free
 //          grid; std::runtime_error, with the residual, if a grid does not converge. What the observer throws passes

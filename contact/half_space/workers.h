@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <thread>
@@ -59,12 +60,15 @@ class Workers {
   void serve(int thread);
   void stop() noexcept;
 
-  Call call_ = nullptr;
+  static constexpr std::size_t line = 64;  // of the cache: what one thread writes must not disturb who reads another
+
+  alignas(line) Call call_ = nullptr;
   const void* part_ = nullptr;
-  std::atomic<std::uint64_t> tickets_ = 0;  // the round in the upper half, how many parts are left to take in the lower
-  std::atomic<std::uint32_t> undone_ = 0;   // parts of this round
-  std::atomic<std::uint32_t> round_ = 0;    // a change wakes the threads
+  std::atomic<std::uint32_t> round_ = 0;  // a change wakes the threads
   std::atomic<bool> stopped_ = false;
+  // The round in the upper half, how many parts are left to take in the lower.
+  alignas(line) std::atomic<std::uint64_t> tickets_ = 0;
+  alignas(line) std::atomic<std::uint32_t> undone_ = 0;  // parts of this round
   std::vector<std::thread> threads_;
 };
 

@@ -108,6 +108,42 @@ TEST(PressHalfSpace, EstimatesOfHertzAreRightWithinAFactorThree) {
   }
 }
 
+// Of a few cells the two grids often agree by chance: the estimates do not believe them.
+TEST(PressHalfSpace, EstimatesOfSmallContactsAreNotTooSmall) {
+  std::mt19937_64 engine(20061204);
+  const Grid grid = Grid::square(64, 64);
+  for (int k = 0; k < patchgrip::testing::cases(60); ++k) {
+    const double a = patchgrip::testing::log_uniform(engine, 1.5, 24), R = 1000;
+    const GapFunction shape =
+        paraboloid(patchgrip::testing::uniform(engine, -1, 1), patchgrip::testing::uniform(engine, -1, 1), R);
+    const double force = 4. / 3. * a * a * a / R;
+    const auto by_approach = press(grid, shape, Press::by_approach(a * a / R));
+    const auto by_force = press(grid, shape, Press::by_force(force));
+    const auto expect_covered = [&](const Estimate& estimate, double exact, const char* what) {
+      EXPECT_LE(std::abs(estimate.value - exact), 3 * estimate.error) << what << ", a = " << a;
+      EXPECT_LE(estimate.error, estimate.value) << what << ", a = " << a;
+    };
+    expect_covered(by_approach.force, force, "force");
+    expect_covered(by_force.approach, a * a / R, "approach");
+    for (const auto& pressed : {by_approach, by_force}) {
+      expect_covered(pressed.peak_pressure, 2 * a / (pi * R), "peak");
+      expect_covered(pressed.area, pi * a * a, "area");
+    }
+  }
+}
+
+// Half a cell across, between four cells of the finer grid.
+TEST(PressHalfSpace, ContactThatTheCoarserGridDoesNotSeeHasNoEstimate) {
+  const Grid grid = Grid::square(64, 64);
+  const auto result = press(grid, paraboloid(0.4, 0.5, 1000), Press::by_approach(0.25 * 0.25 / 1000));
+  EXPECT_EQ(result.counted_area, 1);
+  EXPECT_EQ(result.approach.error, 0);
+  for (const Estimate& estimate : {result.force, result.peak_pressure, result.area, result.zones[0].force}) {
+    EXPECT_GT(estimate.value, 0);
+    EXPECT_EQ(estimate.error, std::numeric_limits<double>::infinity());
+  }
+}
+
 TEST(PressHalfSpace, ForceAndApproachAreTwoWaysToOneSolution) {
   const Grid grid = Grid::square(64, 2.5);
   const auto shape = hertz_ellipse(0.4, 0.3).gap;
