@@ -140,6 +140,12 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
   const auto pressed = std::make_shared<const PressedHalfSpace>(contact::press_half_space(
       gap.grid, surface, gap.values, modulus, press_of(std::get<StaticLoad>(scene.load)), settings));
 
+  if (std::isinf(pressed->area.error)) {
+    throw std::domain_error(fmt::format(
+        "contact of {:.0f} cells: a grid with half as many cells a side has none, so the errors are unknown; "
+        "the grid must be finer or the approach larger",
+        pressed->counted_area / pressed->grid.cell_area()));
+  }
   Pressed result{{answer_of(*pressed, modulus), {}, {}},
                  std::min(gap.grid.nx * gap.grid.dx, gap.grid.ny * gap.grid.dy) / 4,
                  [pressed](double x, double y) -> SurfacePoint {

@@ -336,6 +336,28 @@ TEST(PressHalfSpace, ThreadsDoNotChangeTheResult) {
     const auto shared = press(grid, paraboloid(), Press::by_force(1), settings);
     EXPECT_EQ(shared.pressure, alone.pressure);
     EXPECT_EQ(shared.approach.value, alone.approach.value);
+    EXPECT_EQ(shared.area.value, alone.area.value);
+    EXPECT_EQ(shared.peak_pressure.error, alone.peak_pressure.error);
+    EXPECT_EQ(shared.zones[0].x, alone.zones[0].x);
+  }
+}
+
+// Many zones of very different pressure.
+TEST(PressHalfSpace, ThreadsDoNotChangeARoughSurface) {
+  const Grid grid = Grid::square(128, 1);
+  const auto gap = rough_surface(grid, 1, 1);
+  PressSettings settings;
+  settings.threads = 1;
+  const auto alone = press_half_space(grid, Surface::periodic, gap, 1, Press::by_force(0.05), settings);
+  ASSERT_GT(alone.zones.size(), 2U);
+  settings.threads = 3;
+  const auto shared = press_half_space(grid, Surface::periodic, gap, 1, Press::by_force(0.05), settings);
+  EXPECT_EQ(shared.pressure, alone.pressure);
+  ASSERT_EQ(shared.zones.size(), alone.zones.size());
+  for (std::size_t k = 0; k < alone.zones.size(); ++k) {
+    EXPECT_EQ(shared.zones[k].force.value, alone.zones[k].force.value);
+    EXPECT_EQ(shared.zones[k].area.value, alone.zones[k].area.value);
+    EXPECT_EQ(shared.zones[k].area.error, alone.zones[k].area.error);
   }
 }
 

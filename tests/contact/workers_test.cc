@@ -38,6 +38,15 @@ TEST(Workers, NoTwoPartsShareAThreadAtOnce) {
   });
 }
 
+TEST(Workers, TakeEveryRowOnce) {
+  Workers workers(3);
+  for (const int rows : {0, 1, 8, 9, 1000}) {
+    std::vector<std::atomic<int>> done(static_cast<std::size_t>(rows));
+    workers.each_row(rows, [&](int row, int) { ++done[static_cast<std::size_t>(row)]; });
+    for (const auto& count : done) ASSERT_EQ(count, 1);
+  }
+}
+
 TEST(Workers, NumberOfThreadsIsLimited) {
   EXPECT_THAT([] { Workers workers(0); },
               ::testing::ThrowsMessage<std::invalid_argument>("threads = 0 is not allowed: must lie in [1, 64]"));

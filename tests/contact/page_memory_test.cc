@@ -1,0 +1,91 @@
+#include <patchgrip/contact/half_space/page_memory.h>
+#include <patchgrip/contact/half_space/resources.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <patchgrip/tests/support/cases.h>
+
+namespace patchgrip::contact {
+namespace {
+
+constexpr std::size_t block = std::size_t{1} << 21;  // the least that PageMemory takes
+constexpr std::size_t line = PageMemory::alignment;
+
+struct Taken {
+  unsigned char* begin;
+  std::size_t bytes;
+  unsigned char mark;
+};
+
+// Each keeps what was written into it, whatever the others do, also beyond the block.
+TEST(PageMemory, NothingOverlaps) {
+  std::mt19937_64 engine(20061205);
+  PageMemory memory(1);
+  std::vector<Taken> taken;
+  for (int k = 0; k < patchgrip::testing::cases(4000); ++k) {
+    const bool takes = taken.empty() || std::uniform_real_distribution<double>(0, 1)(engine) < 0.52;
+    if (takes) {
+      const std::size_t bytes = std::uniform_int_distribution<std::size_t>(0, block / 8)(engine);
+      auto* begin = static_cast<unsigned char*>(memory.allocate(bytes, line));
+      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(begin) % line, 0U);
+      taken.push_back({begin, bytes, static_cast<unsigned char>(k)});
+      std::fill_n(begin, bytes, taken.back().mark);
+    } else {
+      std::swap(taken[std::uniform_int_distribution<std::size_t>(0, taken.size() - 1)(engine)], taken.back());
+      const auto [begin, bytes, mark] = taken.back();
+      ASSERT_TRUE(std::all_of(begin, begin + bytes, [mark = mark](unsigned char c) { return c == mark; }));
+      memory.deallocate(begin, bytes, line);
+      taken.pop_back();
+    }
+  }
+  for (const auto& [begin, bytes, mark] : taken) memory.deallocate(begin, bytes, line);
+}
+
+// Given back in any order, pieces become one again: it fits where it was.
+TEST(PageMemory, WhatIsGivenBackServesAgain) {
+  std::mt19937_64 engine(20061206);
+  PageMemory memory(1);
+  const std::size_t most = block - 2 * line;
+  void* const all = memory.allocate(most, line);
+  memory.deallocate(all, most, line);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Taken> taken;
+    for (std::size_t k = 0; k < 16; ++k) {
+      taken.push_back({static_cast<unsigned char*>(memory.allocate(block / 20, line)), block / 20, 0});
+    }
+    std::ranges::shuffle(taken, engine);
+    for (const Taken& piece : taken) memory.deallocate(piece.begin, piece.bytes, line);
+    EXPECT_EQ(memory.allocate(most, line), all);
+    memory.deallocate(all, most, line);
+  }
+}
+
+TEST(PageMemory, HeapHelpsOut) {
+  PageMemory memory(1);
+  const std::size_t bytes = 3 * block;
+  void* const large = memory.allocate(bytes, line);
+  std::memset(large, 1, bytes);
+  memory.deallocate(large, bytes, line);
+}
+
+TEST(Array, GivesItsMemoryBackOnce) {
+  PageMemory memory(1);
+  const double* place = nullptr;
+  {
+    Array<double> one(1000, memory), other(10, memory);
+    place = one.data();
+    other = std::move(one);
+    EXPECT_EQ(other.data(), place);
+    EXPECT_EQ(other.size(), 1000U);
+  }
+  EXPECT_EQ(Array<double>(1000, memory).data(), place);
+}
+
+}  // namespace
+}  // namespace patchgrip::contact
