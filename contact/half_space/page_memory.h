@@ -1,8 +1,9 @@
 // Memory for the fields of one solution: one block on large pages, handed out first fit.
 //
-// The first touch of a page costs microseconds, on a small page more than all the work on it. Large pages (Linux: 2 MiB,
-// where the system gives them on advice) cost a fiftieth, and what one grid gives back serves the next one without
-// another touch. Address space that nobody asks for is never touched. When the block is full, the heap helps out.
+// The first touch of a page costs microseconds, on small pages more than all the work on them. Large pages (Linux:
+// 2 MiB, where the system gives them on advice) cost a fiftieth for each byte, and what one grid gives back serves the
+// next one without another touch. Address space that nobody asks for is never touched. When the block is full, the heap
+// helps out.
 //
 // Domain   alignments up to that of a line of the cache. Allocation is for one thread at a time.
 // Throws   std::bad_alloc.

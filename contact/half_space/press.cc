@@ -1,14 +1,11 @@
 #include <patchgrip/contact/half_space/coarse_to_fine.h>
-#include <patchgrip/contact/half_space/contact_edge.h>
+#include <patchgrip/contact/half_space/measured.h>
 #include <patchgrip/contact/half_space/press.h>
-#include <patchgrip/contact/half_space/zones.h>
 #include <patchgrip/contact/require.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -20,11 +17,6 @@ namespace {
 constexpr int coarsest_cells = 32;        // a side of the first grid has at least so many, if there is a choice
 constexpr double coarse_tolerance = 30;   // of the one asked for
 constexpr double estimate_tolerance = 4;  // the same, of the grid that the errors are estimated from
-constexpr double order_factor = 2.4;      // 2^order - 1 of what is measured on Hertz' contact
-// Errors of Hertz' contact over (h / a)^2, at least, when the two grids agree by chance; a the radius, h the longer side
-// of a cell. For each zone, or all zones in the mean over their forces.
-constexpr double force_floor = 0.05, approach_floor = 0.035, peak_floor = 0.08;
-constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double least_magnitude = 1e-100, most_magnitude = 1e100;  // squares neither overflow nor underflow
 
 struct Level {
@@ -77,119 +69,6 @@ Array<double> cold_start(const Level& level, Prescribed prescribed, double value
     return prescribed == Prescribed::load || f < value ? 1. : 0.;  // a load is scaled by the solver
   });
   return pressure;
-}
-
-// What is measured on one grid, in p / E*.
-struct Measured {
-  double force = 0, approach = 0, peak = 0, area = 0, area_error = 0, counted_area = 0;
-  ZoneMap map;
-  std::vector<ContactZone> zones;
-  std::vector<std::size_t> highest;  // cell of each zone
-};
-
-// Of the cells of a run.
-struct RunSums {
-  double pressure = 0, moment = 0;  // about the first one
-  int highest = 0;
-};
-
-RunSums sums_of(std::span<const double> run) {
-  RunSums sums;
-  for (std::size_t k = 0; k < run.size(); ++k) {
-    sums.pressure += run[k];
-    sums.moment += static_cast<double>(k) * run[k];
-    if (run[k] > run[static_cast<std::size_t>(sums.highest)]) sums.highest = static_cast<int>(k);
-  }
-  return sums;
-}
-
-Measured measure(const Grid& grid, Surface surface, std::span<const double> pressure, double approach,
-                 Resources resources) {
-  Measured result{
-      .approach = approach, .map = map_zones(grid, surface, pressure, resources), .zones = {}, .highest = {}};
-  for (const ZoneArea& zone : zone_areas(grid, surface, pressure, result.map, resources)) {
-    result.zones.push_back({{0, 0}, {zone.area, zone.error}, {0, 0}, 0, zone.resolved, 0, 0, 0});
-    result.area += zone.area;
-    result.area_error += zone.error;
-  }
-  result.highest.resize(result.zones.size());
-
-  const std::vector<ZoneMap::Run>& runs = result.map.runs;
-  std::vector<RunSums> sums(runs.size());
-  resources.workers.each_row(static_cast<int>(runs.size()), [&](int k, int) {
-    const auto& [begin, end, row, zone] = runs[static_cast<std::size_t>(k)];
-    sums[static_cast<std::size_t>(k)] =
-        sums_of(pressure.subspan(grid.index(begin, row), static_cast<std::size_t>(end - begin)));
-  });
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    const auto& [begin, end, row, index] = runs[k];
-    ContactZone& zone = result.zones[static_cast<std::size_t>(index)];
-    const double force = sums[k].pressure * grid.cell_area();
-    zone.force.value += force;
-    zone.counted_area += (end - begin) * grid.cell_area();
-    zone.x += force * grid.x(begin) + sums[k].moment * grid.cell_area() * grid.dx;
-    zone.y += force * grid.y(row);
-    const std::size_t highest = grid.index(begin + sums[k].highest, row);
-    if (pressure[highest] > zone.peak_pressure.value) {
-      zone.peak_pressure.value = pressure[highest];
-      result.highest[static_cast<std::size_t>(index)] = highest;
-    }
-  }
-  for (ContactZone& zone : result.zones) {
-    zone.x /= zone.force.value;
-    zone.y /= zone.force.value;
-    result.force += zone.force.value;
-    result.counted_area += zone.counted_area;
-    result.peak = std::max(result.peak, zone.peak_pressure.value);
-  }
-  return result;
-}
-
-// (h / a)^2
-double coarseness(const Grid& grid, double area) {
-  const double h = std::max(grid.dx, grid.dy);
-  return std::numbers::pi * h * h / area;
-}
-
-double estimate(double fine, double coarse, double floor, double residual) {
-  return std::hypot(std::max(std::abs(fine - coarse) / order_factor, floor * std::abs(fine)), residual * fine);
-}
-
-// The zones of the coarser grid are those of the finer one that lie around their highest cell.
-void estimate_zones(const Grid& fine_grid, Measured& fine, const Measured& coarse, double residual) {
-  struct Sum {
-    double force = 0, area = 0, peak = 0, moment_x = 0, moment_y = 0;
-  };
-  std::vector<Sum> sums(fine.zones.size());
-  const Grid coarse_grid = coarser(fine_grid);
-  for (std::size_t k = 0; k < coarse.zones.size(); ++k) {
-    const auto columns = static_cast<std::size_t>(coarse_grid.nx);
-    const int zone = fine.map.zone[fine_grid.index(2 * static_cast<int>(coarse.highest[k] % columns),
-                                                   2 * static_cast<int>(coarse.highest[k] / columns))];
-    if (zone < 0) continue;
-    Sum& sum = sums[static_cast<std::size_t>(zone)];
-    const ContactZone& part = coarse.zones[k];
-    sum.force += part.force.value;
-    sum.area += part.area.value;
-    sum.peak = std::max(sum.peak, part.peak_pressure.value);
-    sum.moment_x += part.force.value * part.x;
-    sum.moment_y += part.force.value * part.y;
-  }
-  for (std::size_t k = 0; k < fine.zones.size(); ++k) {
-    const Sum& sum = sums[k];
-    ContactZone& zone = fine.zones[k];
-    if (sum.force > 0) {
-      const double floor = coarseness(fine_grid, zone.counted_area);
-      zone.force.error = estimate(zone.force.value, sum.force, force_floor * floor, residual);
-      zone.area.error = std::max(zone.area.error, std::abs(zone.area.value - sum.area) / order_factor);
-      zone.peak_pressure.error = estimate(zone.peak_pressure.value, sum.peak, peak_floor * floor, residual);
-      zone.centre_error =
-          std::hypot(zone.x - sum.moment_x / sum.force, zone.y - sum.moment_y / sum.force) / order_factor;
-      zone.centre_error += residual * std::sqrt(zone.area.value);
-    } else {
-      zone.force.error = zone.area.error = zone.peak_pressure.error = zone.centre_error = unknown;
-    }
-  }
 }
 
 // The first cell in contact on the border of the grid given, or beyond it, is an error.
@@ -343,36 +222,22 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     }
   }
   estimate_zones(last.grid, fine, coarse, result.residual);
+  const Totals total = estimate_totals(last.grid, fine, coarse, result.residual);
 
-  const double modulus = contact_modulus;
-  double mean_coarseness = 0, peak_coarseness = 0;
-  for (const ContactZone& zone : fine.zones) {
-    const double of_zone = coarseness(last.grid, zone.counted_area);
-    mean_coarseness += zone.force.value / fine.force * of_zone;
-    if (zone.peak_pressure.value == fine.peak) peak_coarseness = of_zone;
-  }
-  const bool is_known = !coarse.zones.empty();
-  const auto estimated = [&](double factor, double of_fine, double of_coarse, double floor) {
-    return Estimate{factor * of_fine,
-                    is_known ? factor * estimate(of_fine, of_coarse, floor, result.residual) : unknown};
-  };
+  const auto scaled = [&](const Estimate& e) { return Estimate{contact_modulus * e.value, contact_modulus * e.error}; };
   result.grid = grid;
   result.surface = surface;
-  result.contact_modulus = modulus;
-  result.pressure = cropped(grid, last.grid, pressure, modulus);
-  result.force =
-      is_load ? Estimate{press.value, 0} : estimated(modulus, fine.force, coarse.force, force_floor * mean_coarseness);
-  result.approach = is_load ? estimated(1, fine.approach, coarse.approach, approach_floor * mean_coarseness)
-                            : Estimate{press.value, 0};
-  if (is_load) result.approach.value += least;
-  result.peak_pressure = estimated(modulus, fine.peak, coarse.peak, peak_floor * peak_coarseness);
-  result.area = {fine.area,
-                 is_known ? std::max(fine.area_error, std::abs(fine.area - coarse.area) / order_factor) : unknown};
+  result.contact_modulus = contact_modulus;
+  result.pressure = cropped(grid, last.grid, pressure, contact_modulus);
+  result.force = is_load ? Estimate{press.value, 0} : scaled(total.force);
+  result.approach = is_load ? Estimate{total.approach.value + least, total.approach.error} : Estimate{press.value, 0};
+  result.peak_pressure = scaled(total.peak);
+  result.area = total.area;
   result.counted_area = fine.counted_area;
   result.zones = std::move(fine.zones);
   for (ContactZone& zone : result.zones) {
-    zone.force = {modulus * zone.force.value, modulus * zone.force.error};
-    zone.peak_pressure = {modulus * zone.peak_pressure.value, modulus * zone.peak_pressure.error};
+    zone.force = scaled(zone.force);
+    zone.peak_pressure = scaled(zone.peak_pressure);
     zone.x += 0.5 * (last.grid.nx - grid.nx) * grid.dx;
     zone.y += 0.5 * (last.grid.ny - grid.ny) * grid.dy;
   }

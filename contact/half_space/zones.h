@@ -22,7 +22,7 @@ struct ZoneMap {
     int begin, end, row, zone;
   };
 
-  int count;                 // zones
+  int count = 0;             // zones
   std::vector<Run> runs;     // row by row
   Array<int> zone;           // of each cell; within two layers outside that of a neighbour; else -1
   Array<signed char> layer;  // 1, 2, 3 or more inwards from the edge; -1, -2 outwards; else 0
