@@ -103,7 +103,8 @@ int main(int argc, char** argv) {
   }
 
   const auto ball = Paraboloid::of_radius(0.02);
-  const auto creep = ContactCreep::against_rigid(ViscoelasticMaterial::of(poynting_thomson(25000, 25000, 5000), 0.5));
+  const auto creep =
+      ContactCreep::against_rigid(ViscoelasticMaterial::of(PoyntingThomson::of(25000, 25000, 5000).modulus(), 0.5));
   const auto force = History::half_sine(10, std::numbers::pi);
   const auto press = PressUnderForce<Paraboloid>::of(ball, creep, force, 1);
 

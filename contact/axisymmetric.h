@@ -128,10 +128,16 @@ class AxisymmetricContact {
   }
   double mean_pressure() const { return force_ / (std::numbers::pi * radius_ * radius_); }
 
-  double pressure(double r) const { return r < radius_ ? modulus_ * profile_.pressure(r, circle_) : 0; }
-  double displacement(double r) const { return profile_.displacement(r, circle_); }
+  // Even in r; NaN of NaN.
+  double pressure(double r) const {
+    return at_distance(r, [&](double d) { return d < radius_ ? modulus_ * profile_.pressure(d, circle_) : 0; });
+  }
+  double displacement(double r) const {
+    return at_distance(r, [&](double d) -> double { return profile_.displacement(d, circle_); });
+  }
   double gap(double r) const {
-    return r > radius_ ? std::max(profile_.height(r) - approach_ + displacement(r), 0.) : 0;
+    return at_distance(
+        r, [&](double d) { return d > radius_ ? std::max(profile_.height(d) - approach_ + displacement(d), 0.) : 0; });
   }
   template <class X>
   double punch_load_density(const X& x) const {
@@ -146,6 +152,7 @@ class AxisymmetricContact {
 
   // A radius that is off by h changes p by the flat punches between a - h and a + h: g'(a) int dx / (pi sqrt(x^2-r^2)).
   double pressure_error(double r) const {
+    r = std::fabs(r);
     const double h = spread();
     if (r >= radius_ + h) return 0;
     const double own = unit * (profile_.errors().pressure + 1) * pressure(r);
@@ -157,6 +164,7 @@ class AxisymmetricContact {
   }
 
   double displacement_error(double r) const {
+    r = std::fabs(r);
     const double u = displacement(r);
     const double moved = profile_.approach_slope(circle_) * spread() * std::min(1., radius_ / r);
     if (r > radius_) return unit * profile_.errors().displacement * u + moved;
@@ -164,6 +172,7 @@ class AxisymmetricContact {
   }
 
   double gap_error(double r) const {
+    r = std::fabs(r);
     if (r <= radius_) return 0;
     return displacement_error(r) + unit * (2 + profile_.errors().approach) * (profile_.height(r) + approach_) +
            approach_error();
@@ -184,6 +193,11 @@ class AxisymmetricContact {
         force_(require_representable("normal_force", force)),
         approach_(require_representable("approach", approach)),
         errors_(errors) {}
+
+  template <class F>
+  static double at_distance(double r, F&& f) {
+    return std::isnan(r) ? r : f(std::fabs(r));
+  }
 
   static Circle circle(const P& profile, double radius) {
     if constexpr (std::same_as<Circle, double>) {

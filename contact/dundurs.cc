@@ -7,11 +7,6 @@ namespace {
 
 using Real = long double;
 
-Real plane_compliance(const Material& body) {  // 1 / E'
-  const Real nu = body.poisson_ratio;
-  return (1 - nu) * (1 + nu) / body.youngs_modulus;
-}
-
 Real coupling(const Material& body) {
   const Real nu = body.poisson_ratio;
   return (1 - 2 * nu) * (1 + nu) / body.youngs_modulus;

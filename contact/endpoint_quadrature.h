@@ -15,17 +15,13 @@
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
-namespace patchgrip::contact {
+#include <patchgrip/contact/estimate.h>
 
-template <class Real>
-struct BoundedIntegral {
-  Real value;
-  Real error;
-};
+namespace patchgrip::contact {
 
 // f(x - lo, hi - x)
 template <class Real, class Integrand>
-BoundedIntegral<Real> bounded_integral(const Integrand& f, const Real& lo, const Real& hi) {
+BasicEstimate<Real> bounded_integral(const Integrand& f, const Real& lo, const Real& hi) {
   using std::sqrt;
   // Shared by threads: it locks where it grows. Nodes keep the fourth root of the smallest number off the ends.
   static boost::math::quadrature::tanh_sinh<Real> rule(12, Real(sqrt(sqrt(std::numeric_limits<Real>::min()))));

@@ -4,9 +4,12 @@
 
 namespace patchgrip::contact {
 
-struct Estimate {
-  double value;
-  double error;  // >= 0, in the unit of the value
+template <class Real>
+struct BasicEstimate {
+  Real value;
+  Real error;  // >= 0, in the unit of the value
 };
+
+using Estimate = BasicEstimate<double>;
 
 }  // namespace patchgrip::contact

@@ -25,11 +25,13 @@ FlatPunch FlatPunch::at_approach(double radius, double approach, double contact_
 }
 
 double FlatPunch::pressure(double r) const {
+  r = std::fabs(r);
   if (r > radius) return 0;
   return force / (2 * std::numbers::pi * radius * (std::sqrt(radius - r) * std::sqrt(radius + r)));
 }
 
 double FlatPunch::displacement(double r) const {
+  r = std::fabs(r);
   if (r <= radius) return approach;
   const double root = std::sqrt(r - radius) * std::sqrt(r + radius);
   return 2 * approach / std::numbers::pi * std::atan(radius / root);

@@ -20,6 +20,7 @@ struct FlatPunch {
   static FlatPunch under_force(double radius, double normal_force, double contact_modulus);
   static FlatPunch at_approach(double radius, double approach, double contact_modulus);
 
+  // Even in r; NaN of NaN.
   double pressure(double r) const;      // p, 0 beyond the edge
   double displacement(double r) const;  // u_z, every r
   double stiffness() const noexcept { return 2 * contact_modulus * radius; }

@@ -4,15 +4,6 @@
 #include <limits>
 
 namespace patchgrip::contact {
-namespace {
-
-long double compliance(const Material& body) {
-  const long double nu = body.poisson_ratio;
-  return (1 - nu) * (1 + nu) / body.youngs_modulus;
-}
-
-}  // namespace
-
 Material Material::elastic(double youngs_modulus, double poisson_ratio) {
   return {require_positive("youngs_modulus", youngs_modulus),
           require_in("poisson_ratio", poisson_ratio, -1, 0.5, Ends::left_open)};
@@ -20,8 +11,13 @@ Material Material::elastic(double youngs_modulus, double poisson_ratio) {
 
 Material Material::rigid() { return {std::numeric_limits<double>::infinity(), 0}; }
 
+long double plane_compliance(const Material& body) {
+  const long double nu = body.poisson_ratio;
+  return (1 - nu) * (1 + nu) / body.youngs_modulus;
+}
+
 double contact_modulus(const Material& first, const Material& second) {
-  const auto modulus = static_cast<double>(1 / (compliance(first) + compliance(second)));
+  const auto modulus = static_cast<double>(1 / (plane_compliance(first) + plane_compliance(second)));
   return require_representable("contact_modulus", modulus);
 }
 

@@ -19,6 +19,8 @@ struct Material {
   double poisson_ratio;   // nu [1], in (-1, 0.5]
 };
 
+long double plane_compliance(const Material& body);  // (1 - nu^2) / E [1/Pa], 0 for a rigid body
+
 double contact_modulus(const Material& first, const Material& second);
 
 }  // namespace patchgrip::contact

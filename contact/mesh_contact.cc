@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 namespace patchgrip::contact {
 namespace {
 
-double dot(const Vector& p, const Vector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-
-Vector cross(const Vector& p, const Vector& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
+Eigen::Vector3d at(const Vector& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
@@ -29,21 +27,18 @@ MeshContact MeshContact::with_ball(const TriangleMesh& p, double ball_radius, co
 }
 
 MeshContact MeshContact::of(const MeshCurvature& first, const MeshCurvature& second) {
-  const Vector& normal = first.curvatures.normal;
-  const Vector opening = cross(normal, second.curvatures.normal);
-  const double tilt = std::atan2(std::sqrt(dot(opening, opening)), -dot(normal, second.curvatures.normal));
-  require_in("angle_between_normals", tilt, 0, 0.2);
+  const Eigen::Vector3d normal = at(first.curvatures.normal), opposite = at(second.curvatures.normal);
+  require_in("angle_between_normals", std::atan2(normal.cross(opposite).norm(), -normal.dot(opposite)), 0, 0.2);
 
   // Counter-clockwise about the normal of p.
-  const Vector& x = first.curvatures.direction_of_k_max;
-  const Vector y = cross(normal, x);
-  const Vector& other = second.curvatures.direction_of_k_max;
+  const Eigen::Vector3d x = at(first.curvatures.direction_of_k_max), y = normal.cross(x);
+  const Eigen::Vector3d other = at(second.curvatures.direction_of_k_max);
   const auto radii = RelativeRadii::of_bodies(first.curvatures.radii(), second.curvatures.radii(),
-                                              std::atan2(dot(other, y), dot(other, x)));
+                                              std::atan2(other.dot(y), other.dot(x)));
   const double error = first.curvature_error + second.curvature_error;
   require_in("relative_curvature_error", error * radii.large, 0, 0.5);
-  const double c = std::cos(radii.angle_a), s = std::sin(radii.angle_a);
-  return {first, second, radii, error, {c * x[0] + s * y[0], c * x[1] + s * y[1], c * x[2] + s * y[2]}};
+  const Eigen::Vector3d a = std::cos(radii.angle_a) * x + std::sin(radii.angle_a) * y;
+  return {first, second, radii, error, {a[0], a[1], a[2]}};
 }
 
 MeshContact::Pressed MeshContact::under_force(double normal_force, double contact_modulus) const {

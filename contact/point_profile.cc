@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <patchgrip/contact/creep/numbered.h>
 #include <patchgrip/contact/increasing_root.h>
+#include <patchgrip/contact/numbered.h>
 #include <patchgrip/contact/require.h>
 
 namespace patchgrip::contact {

@@ -36,7 +36,8 @@ RotationalPressure RotationalPressure::of_curvature(int n, double contact_radius
 }
 
 double RotationalPressure::pressure(double r) const {
-  if (!(r < radius)) return 0;
+  r = std::fabs(r);
+  if (r >= radius) return 0;
   const double w = (radius - r) / radius * ((radius + r) / radius);
   return peak_pressure * std::pow(w, n - 1) * std::sqrt(w);
 }
@@ -54,6 +55,8 @@ double RotationalPressure::height(double r) const {
 }
 
 double RotationalPressure::displacement(double r) const {
+  r = std::fabs(r);
+  if (std::isnan(r)) return r;
   if (r <= radius) return approach - height(r);
   // s = sin t; r - a s from 1 - sin t.
   const auto weighted = [&](double, double left) {

@@ -23,8 +23,9 @@ namespace patchgrip::contact {
 struct RotationalPressure {
   static RotationalPressure of_curvature(int n, double contact_radius, double curvature_radius, double contact_modulus);
 
+  // Pressure and displacement are even in r, and NaN of NaN.
   double pressure(double r) const;      // 0 beyond a
-  double height(double r) const;        // f, r <= a; beyond, the stamp is not determined: refused
+  double height(double r) const;        // f, 0 <= r <= a; beyond, the stamp is not determined: refused
   double displacement(double r) const;  // u_z, every r
 
   int n;

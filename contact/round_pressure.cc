@@ -53,7 +53,7 @@ Estimate RoundPressure::displacement(double r) const {
   };
   const double scale = 4 / (std::numbers::pi * modulus_);
   double last = std::numbers::pi / 2;
-  BoundedIntegral<double> result{};
+  Estimate result{};
   if (r <= radius_) {
     const double before = radius_ - r;
     const auto f = [&](double, double left) {

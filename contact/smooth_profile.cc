@@ -14,7 +14,7 @@ namespace {
 
 constexpr double quarter = std::numbers::pi / 2;
 
-double accepted(const char* name, const BoundedIntegral<double>& result, double tolerance) {
+double accepted(const char* name, const Estimate& result, double tolerance) {
   // Half of it, since some results are integrals of others.
   if (result.error <= tolerance / 2 * std::fabs(result.value)) return result.value;
   std::ostringstream message;

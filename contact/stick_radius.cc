@@ -1,14 +1,10 @@
 #include <patchgrip/contact/complete_elliptic.h>
+#include <patchgrip/contact/falling_root.h>
 #include <patchgrip/contact/require.h>
 #include <patchgrip/contact/stick_radius.h>
 
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <stdexcept>
-#include <string>
-
-#include <boost/math/tools/toms748_solve.hpp>
 
 namespace patchgrip::contact {
 namespace {
@@ -40,22 +36,15 @@ StickRatio small_ratio(Real chi) {
 StickRatio solve(Real chi) {
   if (chi > 60) return small_ratio(chi);
   if (chi < 0.03L) return ratio(half_pi / chi);  // 1 - s < 1e-45: K = pi/2
-  const auto residual = [&](Real log_L) {
+  const auto lacking = [&](Real log_L) {
     const Real L = std::exp(log_L);
     const Real s = std::tanh(L);
     const Real slip = 2 / (std::exp(2 * L) + 1);
-    return std::log(chi * L / (s * CompleteElliptic<Real>::of_axes(s, slip).K));
+    return std::log(s * CompleteElliptic<Real>::of_axes(s, slip).K / (chi * L));
   };
-  std::uintmax_t steps = 100;
   // chi L lies between s and s ln(4/s) + pi/2.
-  const auto [lo, hi] =
-      boost::math::tools::toms748_solve(residual, std::log(3 * std::exp(-chi)), std::log(half_pi / chi * (1 + chi)),
-                                        boost::math::tools::eps_tolerance<Real>(), steps);
-  if (steps >= 100) {
-    throw std::runtime_error("stick_radius: no convergence, residual " +
-                             std::to_string(static_cast<double>(residual(lo))));
-  }
-  return ratio(std::exp((lo + hi) / 2));
+  return ratio(
+      std::exp(falling_root<Real>(lacking, std::log(3 * std::exp(-chi)), std::log(half_pi / chi * (1 + chi)))));
 }
 
 }  // namespace

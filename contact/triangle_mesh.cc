@@ -6,22 +6,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace patchgrip::contact {
 namespace {
 
-Vector minus(const Vector& p, const Vector& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+using Eigen::Vector3d;
 
-double dot(const Vector& p, const Vector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
-
-Vector cross(const Vector& p, const Vector& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-double length(const Vector& p) { return std::hypot(p[0], p[1], p[2]); }
-
-Vector along(const Vector& p, const Vector& direction, double part) {
-  return {p[0] + part * direction[0], p[1] + part * direction[1], p[2] + part * direction[2]};
-}
+Vector3d at(const Vector& v) { return {v[0], v[1], v[2]}; }
 
 std::string named(std::size_t triangle) { return "triangle " + std::to_string(triangle); }
 
@@ -32,26 +24,26 @@ void require_area(const std::vector<Vector>& vertices, const TriangleMesh::Trian
                                   std::to_string(vertices.size()) + " vertices");
     }
   }
-  const Vector u = minus(vertices[t[1]], vertices[t[0]]), v = minus(vertices[t[2]], vertices[t[0]]);
-  const double longest = std::max({length(u), length(v), length(minus(u, v))});
-  if (!(length(cross(u, v)) > 1e-12 * longest * longest))
+  const Vector3d u = at(vertices[t[1]]) - at(vertices[t[0]]), v = at(vertices[t[2]]) - at(vertices[t[0]]);
+  const double longest = std::max({u.stableNorm(), v.stableNorm(), (u - v).stableNorm()});
+  if (!(u.cross(v).stableNorm() > 1e-12 * longest * longest))
     throw std::invalid_argument(named(index) + " has no area: its corners must not lie on one line");
 }
 
 // On the segment from p along u.
-Vector closest_on_segment(const Vector& p, const Vector& u, const Vector& to) {
-  return along(p, u, std::clamp(dot(minus(to, p), u) / dot(u, u), 0., 1.));
+Vector3d closest_on_segment(const Vector3d& p, const Vector3d& u, const Vector3d& to) {
+  return p + std::clamp((to - p).dot(u) / u.squaredNorm(), 0., 1.) * u;
 }
 
-Vector closest_on_triangle(const Vector& a, const Vector& b, const Vector& c, const Vector& to) {
-  const Vector u = minus(b, a), v = minus(c, a), w = minus(to, a);
-  const Vector n = cross(u, v);
-  const double area = dot(n, n);
-  const double beta = dot(cross(w, v), n) / area, gamma = dot(cross(u, w), n) / area;
-  if (beta >= 0 && gamma >= 0 && beta + gamma <= 1) return along(along(a, u, beta), v, gamma);
-  Vector best = closest_on_segment(a, u, to);
-  for (const Vector& other : {closest_on_segment(a, v, to), closest_on_segment(b, minus(c, b), to)}) {
-    if (length(minus(other, to)) < length(minus(best, to))) best = other;
+Vector3d closest_on_triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& to) {
+  const Vector3d u = b - a, v = c - a, w = to - a;
+  const Vector3d n = u.cross(v);
+  const double area = n.squaredNorm();
+  const double beta = w.cross(v).dot(n) / area, gamma = u.cross(w).dot(n) / area;
+  if (beta >= 0 && gamma >= 0 && beta + gamma <= 1) return a + beta * u + gamma * v;
+  Vector3d best = closest_on_segment(a, u, to);
+  for (const Vector3d& other : {closest_on_segment(a, v, to), closest_on_segment(b, c - b, to)}) {
+    if ((other - to).stableNorm() < (best - to).stableNorm()) best = other;
   }
   return best;
 }
@@ -73,8 +65,9 @@ TriangleMesh TriangleMesh::of(std::vector<Vector> vertices, std::vector<Triangle
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
     require_area(vertices, t, i);
-    volume += dot(minus(vertices[t[0]], vertices[triangles[0][0]]),
-                  cross(minus(vertices[t[1]], vertices[t[0]]), minus(vertices[t[2]], vertices[t[0]])));
+    const Vector3d corner = at(vertices[t[0]]);
+    volume +=
+        (corner - at(vertices[triangles[0][0]])).dot((at(vertices[t[1]]) - corner).cross(at(vertices[t[2]]) - corner));
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [edge, added] = edges.try_emplace({t[k], t[(k + 1) % 3]}, i);
       if (!added) {
@@ -108,21 +101,22 @@ TriangleMesh::Closest TriangleMesh::closest_to(const Vector& point) const {
   for (const double x : point) {
     if (!std::isfinite(x)) throw std::invalid_argument("point is not finite");
   }
-  Closest best{vertices_[triangles_[0][0]], 0, length(minus(vertices_[triangles_[0][0]], point))};
+  const Vector3d to = at(point);
+  Closest best{vertices_[triangles_[0][0]], 0, (at(vertices_[triangles_[0][0]]) - to).stableNorm()};
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const Triangle& t = triangles_[i];
-    const Vector candidate = closest_on_triangle(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]], point);
-    const double distance = length(minus(candidate, point));
-    if (distance < best.distance) best = {candidate, i, distance};
+    const Vector3d candidate = closest_on_triangle(at(vertices_[t[0]]), at(vertices_[t[1]]), at(vertices_[t[2]]), to);
+    const double distance = (candidate - to).stableNorm();
+    if (distance < best.distance) best = {{candidate[0], candidate[1], candidate[2]}, i, distance};
   }
   return best;
 }
 
 Vector TriangleMesh::normal(std::size_t triangle) const {
   const Triangle& t = triangles_.at(triangle);
-  const Vector n = cross(minus(vertices_[t[1]], vertices_[t[0]]), minus(vertices_[t[2]], vertices_[t[0]]));
-  const double size = length(n);
-  return {n[0] / size, n[1] / size, n[2] / size};
+  const Vector3d corner = at(vertices_[t[0]]);
+  const Vector3d n = (at(vertices_[t[1]]) - corner).cross(at(vertices_[t[2]]) - corner).stableNormalized();
+  return {n[0], n[1], n[2]};
 }
 
 }  // namespace patchgrip::contact

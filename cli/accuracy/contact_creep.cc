@@ -45,7 +45,7 @@ ContactCreep against_rigid(RelaxationModulus modulus, const EntryInputs& in) {
 }
 
 ContactCreep poynting_thomson_contact(const EntryInputs& in) {
-  return against_rigid(contact::poynting_thomson(in["E1"], in["E2"], in["eta"]), in);
+  return against_rigid(contact::PoyntingThomson::of(in["E1"], in["E2"], in["eta"]).modulus(), in);
 }
 
 Paraboloid stamp(const EntryInputs& in) { return Paraboloid::of_radius(in["R"]); }
@@ -232,9 +232,9 @@ Outputs maxwell_step(const EntryInputs& in) { return step_of(in, contact::maxwel
 
 Outputs visco_two_bodies_step(const EntryInputs& in) {
   const auto upper =
-      ViscoelasticMaterial::of(contact::poynting_thomson(in["E1_p"], in["E2_p"], in["eta_p"]), in["nu_p"]);
+      ViscoelasticMaterial::of(contact::PoyntingThomson::of(in["E1_p"], in["E2_p"], in["eta_p"]).modulus(), in["nu_p"]);
   const auto lower =
-      ViscoelasticMaterial::of(contact::poynting_thomson(in["E1_m"], in["E2_m"], in["eta_m"]), in["nu_m"]);
+      ViscoelasticMaterial::of(contact::PoyntingThomson::of(in["E1_m"], in["E2_m"], in["eta_m"]).modulus(), in["nu_m"]);
   const auto creep = ContactCreep::between(upper, lower);
   const double t = in["t"];
   const auto press = pressed(stamp(in), creep, History::step(in["F0"]), t);

@@ -43,7 +43,7 @@ DescribedRelaxation read_poynting_thomson(const TomlReader& body, double nu) {
   const double E1 = table.number("E1", modulus);
   const double E2 = table.number("E2", modulus);
   const double eta = table.number("eta", viscosity);
-  return of_modulus(contact::poynting_thomson(E1, E2, eta), nu,
+  return of_modulus(contact::PoyntingThomson::of(E1, E2, eta).modulus(), nu,
                     fmt::format("Poynting-Thomson, E1 = {} Pa, E2 = {} Pa, eta = {} Pa s", E1, E2, eta));
 }
 

@@ -14,12 +14,10 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
-#include <boost/math/tools/toms748_solve.hpp>
+#include <patchgrip/contact/falling_root.h>
 
 namespace patchgrip::contact {
 
@@ -45,7 +43,7 @@ struct MaugisCurve {
  private:
   // Root of a function that is positive for n below it and negative above, in ln n.
   template <class F>
-  T falling_root(const F& f, T below, T above) const;
+  T root_in_log(const F& f, T below, T above) const;
 };
 
 // s - arctan s = s v / (1 + v),  v = s^2 / (3 + 4 s^2 / (5 + 9 s^2 / (7 + ...)))
@@ -85,7 +83,7 @@ typename MaugisCurve<T>::Point MaugisCurve<T>::at(const T& n) const {
 
 template <class T>
 template <class F>
-T MaugisCurve<T>::falling_root(const F& f, T below, T above) const {
+T MaugisCurve<T>::root_in_log(const F& f, T below, T above) const {
   using std::abs;
   using std::exp;
   using std::log;
@@ -97,21 +95,14 @@ T MaugisCurve<T>::falling_root(const F& f, T below, T above) const {
     above *= factor;
     if (above > std::numeric_limits<T>::max() / 2) throw std::runtime_error("maugis_dugdale: no bracket above");
   }
-  std::uintmax_t steps = 200;
-  const auto [lo, hi] = boost::math::tools::toms748_solve([&](const T& x) { return f(exp(x)); }, T(log(below)),
-                                                          T(log(above)), boost::math::tools::eps_tolerance<T>(), steps);
-  if (steps >= 200) {
-    throw std::runtime_error("maugis_dugdale: no convergence, residual " +
-                             std::to_string(static_cast<double>(f(exp(lo)))));
-  }
-  return exp((lo + hi) / 2);
+  return exp(falling_root<T>([&](const T& x) -> T { return f(exp(x)); }, log(below), log(above)));
 }
 
 template <class T>
 typename MaugisCurve<T>::Point MaugisCurve<T>::at_radius(const T& A) const {
   using std::log;
   const T start = 1 / (lambda * lambda * A) + 1 / A;
-  return at(falling_root([&](const T& n) { return log(at(n).A / A); }, start, start));
+  return at(root_in_log([&](const T& n) { return log(at(n).A / A); }, start, start));
 }
 
 template <class T>
@@ -119,13 +110,13 @@ typename MaugisCurve<T>::Point MaugisCurve<T>::pull_off() const {
   using std::sqrt;
   // Leading orders for large and for small lambda: m = 0.66 / lambda^2 + 1 and 0.56 / lambda^(3/2).
   const T start = 0.66 / (lambda * lambda) + 0.56 / (lambda * sqrt(lambda));
-  return at(falling_root([&](const T& n) { return at(n).slope; }, start, start));
+  return at(root_in_log([&](const T& n) { return at(n).slope; }, start, start));
 }
 
 template <class T>
 typename MaugisCurve<T>::Point MaugisCurve<T>::under_force(const T& force, const Point& least) const {
   if (!(force > least.force)) return least;
-  return at(falling_root([&](const T& n) { return at(n).force - force; }, least.n, least.n));
+  return at(root_in_log([&](const T& n) { return at(n).force - force; }, least.n, least.n));
 }
 
 }  // namespace patchgrip::contact

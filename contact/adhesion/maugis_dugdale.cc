@@ -1,4 +1,5 @@
 #include <patchgrip/contact/adhesion/maugis_dugdale.h>
+#include <patchgrip/contact/adhesion/tabor.h>
 #include <patchgrip/contact/require.h>
 
 #include <algorithm>
@@ -30,9 +31,7 @@ double radius_error(const MaugisCurve<Real>::Point& point) {
 }  // namespace
 
 MaugisDugdale MaugisDugdale::of(const AdhesiveSphere& sphere, double attraction) {
-  const Real sigma = require_positive("attraction", attraction);
-  const Real K = stiffness_modulus(sphere);
-  const Real lambda = 2 * sigma * std::cbrt(sphere.relative_radius / (pi * sphere.work_of_adhesion * K * K));
+  const Real lambda = unrounded_maugis_parameter(sphere, attraction);
   require_in("maugis_parameter", static_cast<double>(lambda), 1e-8, 1e8);
   return {sphere, attraction, lambda};
 }

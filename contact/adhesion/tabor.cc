@@ -18,12 +18,15 @@ double tabor_parameter(const AdhesiveSphere& sphere, double equilibrium_distance
                                static_cast<double>(std::cbrt(sphere.relative_radius * ratio * ratio) / z));
 }
 
-double maugis_parameter(const AdhesiveSphere& sphere, double attraction) {
+long double unrounded_maugis_parameter(const AdhesiveSphere& sphere, double attraction) {
   const Real sigma = require_positive("attraction", attraction);
   const Real K = 4 * Real(sphere.contact_modulus) / 3;
   const Real pi_w = std::numbers::pi_v<Real> * sphere.work_of_adhesion;
-  return require_representable("maugis_parameter",
-                               static_cast<double>(2 * sigma * std::cbrt(sphere.relative_radius / (pi_w * K * K))));
+  return 2 * sigma * std::cbrt(sphere.relative_radius / (pi_w * K * K));
+}
+
+double maugis_parameter(const AdhesiveSphere& sphere, double attraction) {
+  return require_representable("maugis_parameter", static_cast<double>(unrounded_maugis_parameter(sphere, attraction)));
 }
 
 double lennard_jones_attraction(double work_of_adhesion, double equilibrium_distance) {

@@ -20,6 +20,7 @@ namespace patchgrip::contact {
 
 double tabor_parameter(const AdhesiveSphere& sphere, double equilibrium_distance);
 double maugis_parameter(const AdhesiveSphere& sphere, double attraction);
+long double unrounded_maugis_parameter(const AdhesiveSphere& sphere, double attraction);
 
 double lennard_jones_attraction(double work_of_adhesion, double equilibrium_distance);
 double dugdale_attraction(double work_of_adhesion, double range);

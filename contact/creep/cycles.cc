@@ -4,7 +4,7 @@ namespace patchgrip::contact {
 
 PressedSpring press_spring(const SpringLaw& law, const History& approach, double height, double t) {
   Spring spring;
-  std::size_t course = 0;
+  std::uint64_t course = 0;
   thread_local std::vector<double> relaxing;
   relaxing.assign(law.modes(), 0.);
   const auto& pieces = approach.pieces();
@@ -14,7 +14,7 @@ PressedSpring press_spring(const SpringLaw& law, const History& approach, double
     if (approach.jump(k) != 0) law.jump(spring, relaxing, piece.value - height);
     const double end = k + 1 < pieces.size() ? std::min(t, pieces[k + 1].start) : t;
     if (end > piece.start) law.advance(spring, relaxing, piece.value - height, piece.rate, end - piece.start);
-    for (int change = before; change < spring.changes; ++change) course = 31 * course + k + 1;
+    for (int change = before; change < spring.changes; ++change) course = next_course(course, k);
   }
   return {law.stress(spring, relaxing), spring.depth, spring.is_touching, course};
 }

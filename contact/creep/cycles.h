@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -41,8 +42,15 @@ struct PressedSpring {
   double stress;  // q [Pa m]
   double depth;   // u [m]
   bool is_touching;
-  std::size_t course;  // alike where the spring was met and let go in the same pieces of the approach
+  std::uint64_t course;  // alike where the spring was met and let go in the same pieces of the approach
 };
+
+// The course after one more change, in the given piece: a hash (FNV-1a, with a final shift) whose values meet by chance
+// alone, once in 2^64.
+constexpr std::uint64_t next_course(std::uint64_t course, std::size_t piece) {
+  const std::uint64_t mixed = (course ^ (piece + 1)) * 0x100000001b3;
+  return mixed ^ (mixed >> 29);
+}
 
 PressedSpring press_spring(const SpringLaw& law, const History& approach, double height, double t);
 
@@ -75,7 +83,7 @@ class Cycles {
         16 * 0x1p-53 * law_.creep().modulus.instantaneous() * deepest(t) * ends.radius);
     std::sort(stresses.begin(), stresses.end());
     for (std::size_t k = 1; k < stresses.size(); ++k) {
-      const double rounding = 1e-13 * stresses.front().second;
+      const double rounding = stress_rounding * stresses.front().second;
       if (stresses[k].second > stresses[k - 1].second + rounding) zone.stress_falls = false;
     }
     return zone;
@@ -98,12 +106,16 @@ class Cycles {
       if (x > r) places.push_back(z_of(x));
     }
     const Estimate rest = integral(
-        places, [&](double z) { return (q - spring(std::hypot(r, z), t).stress) / (z * z); }, 1e-9 * q / edge);
+        places, [&](double z) { return (q - spring(std::hypot(r, z), t).stress) / (z * z); },
+        difference_rounding * q / edge);
     constexpr double inverse_pi = std::numbers::inv_pi;
     return {inverse_pi * (q / edge + rest.value), inverse_pi * (4 * 0x1p-53 * q / edge + rest.error)};
   }
 
  private:
+  static constexpr double stress_rounding = 1e-13;     // of q, relative to the one at the axis
+  static constexpr double difference_rounding = 1e-9;  // of (q(r) - q(x)) / z^2 next to r, relative to q / z(a)
+
   struct Ends {
     std::vector<double> places;  // 0 .. a
     double radius;

@@ -13,13 +13,12 @@ void GrowingContact::advance(double duration, double force) {
   if (duration > 0) {
     for (std::size_t j = 0; j < lagged_.size(); ++j) {
       const double z = duration / compliance_.modes()[j].time;
-      const double share = history::excess(z) / z;  // of the rise of the force
-      lagged_[j] += (force_ - lagged_[j]) * -std::expm1(-z) + (force - force_) * share;
+      lagged_[j] += (force_ - lagged_[j]) * -std::expm1(-z) + (force - force_) * history::mean_lagged(z);
     }
     impulse_ += duration * (force_ + force) / 2;
   }
   for (std::size_t j = 0; j < lagged_.size(); ++j) sum += compliance_.modes()[j].strength * lagged_[j];
-  sum += compliance_.fluidity() * impulse_;
+  sum = require_non_negative("load_integral", sum + compliance_.fluidity() * impulse_);
   // Rest is growth, too, but for the rounding of its sum.
   is_growing_ = is_growing_ && sum >= load_integral_ * (1 - 8 * 0x1p-53);
   force_ = force;

@@ -9,9 +9,9 @@
 // Domain   right while X does not fall; `is_growing` says whether it did so at every step so far. When it fell, the
 //          contact has shrunk and neither radius nor approach is that of X: press_under_force.h, springs.h.
 // Units    F [N], h [s], X [m^2].
-// Error    X: as if by the closed form (load_integral.h), and 2 units of rounding (2^-53) a step;
+// Error    X: as if by the closed form (load_integral.h), and 2 units of rounding (2^-53) a step, h / lambda normal;
 //          tests/contact/growing_contact_test.cc.
-// Throws   std::invalid_argument unless the duration is >= 0 and the force >= 0, both finite.
+// Throws   std::invalid_argument unless duration and force are >= 0 and finite, or where X would overflow.
 #pragma once
 
 #include <vector>

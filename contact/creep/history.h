@@ -12,7 +12,8 @@
 // Error    of linear pieces whose steps all have one sign: <= 8 units of rounding (2^-53), relative, in every one;
 //          else and with sines <= 16 units of the sum of the moduli of the steps; tests/contact/creep_history_test.cc.
 // Fails    times far from zero lose digits in t - s: start histories near zero.
-// Throws   std::invalid_argument unless times ascend (two equal ones are a jump) and all numbers are finite.
+// Throws   std::invalid_argument unless times ascend (two equal ones are a jump), their distances are no smaller than
+//          the smallest normal number, and all numbers, rates too, are finite.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include <patchgrip/contact/creep/numbered.h>
+#include <patchgrip/contact/numbered.h>
 #include <patchgrip/contact/require.h>
 
 namespace patchgrip::contact {
@@ -63,12 +64,18 @@ struct HistoryPiece {
 
 namespace history {
 
-// z - 1 + exp(-z), z >= 0: z^2 / 2 for small z, where the difference would lose it.
+// (1 - exp(-z)) / z, z >= 0: what is left at the end of z of a rise over all of it, of 1.
 template <class Real>
-Real excess(const Real& z) {
+Real mean_faded(const Real& z) {
   using std::expm1;
-  if (z > 1) return z + expm1(-z);
-  Real term = z * z / 2;
+  return z > 0 ? Real(-expm1(-z) / z) : Real(1);
+}
+
+// 1 - mean_faded(z): z / 2 for small z, where the difference would lose it.
+template <class Real>
+Real mean_lagged(const Real& z) {
+  if (z > 1) return 1 - mean_faded(z);
+  Real term = z / 2;
   Real sum = term;
   for (int k = 3; term > sum * std::numeric_limits<Real>::epsilon() / 4; ++k) {
     term *= z / k;
@@ -135,9 +142,7 @@ class BasicHistory {
                "must not be less than the time before it");
       }
       if (!is_last && points[i + 1].time == points[i].time) continue;
-      const Real rate =
-          is_last ? Real(0) : (points[i + 1].value - points[i].value) / (points[i + 1].time - points[i].time);
-      pieces.push_back({points[i].time, points[i].value, rate});
+      pieces.push_back({points[i].time, points[i].value, is_last ? Real(0) : rate_between(points, i)});
     }
     return BasicHistory(std::move(pieces));
   }
@@ -159,6 +164,8 @@ class BasicHistory {
   static BasicHistory half_sine(Real height, Real frequency) {
     require_finite("height", static_cast<double>(height));
     require_positive("frequency", static_cast<double>(frequency));
+    require_finite("height * frequency", static_cast<double>(height * frequency));
+    require_finite("pi / frequency", static_cast<double>(boost::math::constants::pi<Real>() / frequency));
     return BasicHistory({{Real(0), Real(0), Real(0), height, frequency, Real(0)},
                          {boost::math::constants::pi<Real>() / frequency, Real(0)}});
   }
@@ -168,6 +175,7 @@ class BasicHistory {
     require_finite("mean", static_cast<double>(mean));
     require_finite("swing", static_cast<double>(swing));
     require_positive("frequency", static_cast<double>(frequency));
+    require_finite("mean * swing * frequency", static_cast<double>(mean * swing * frequency));
     return BasicHistory({{Real(0), mean, Real(0), mean * swing, frequency, Real(0)}});
   }
 
@@ -192,11 +200,10 @@ class BasicHistory {
   // The same of what happens after `from` alone: a jump at `from` itself is left out.
   Real faded_since(const Real& from, const Real& t, const Real& T) const {
     using std::exp;
-    using std::expm1;
     return sum_of_pieces(
         from, t, [&](const Real& u) { return exp(-u / T); },
         [&](const HistoryPiece<Real>& piece, const Real& a, const Real& b) {
-          const Real linear = piece.rate * T * (-expm1(-(b - a) / T)) * exp(-(t - b) / T);
+          const Real linear = piece.rate * (b - a) * history::mean_faded<Real>((b - a) / T) * exp(-(t - b) / T);
           return piece.amplitude == 0 ? linear : linear + history::faded_sine(piece, a, b, t, T);
         });
   }
@@ -209,8 +216,8 @@ class BasicHistory {
                        start(), t, [&](const Real& u) { return -expm1(-u / T); },
                        [&](const HistoryPiece<Real>& piece, const Real& a, const Real& b) {
                          const Real fade = exp(-(t - b) / T);
-                         const Real linear = piece.rate * (-expm1(-(t - b) / T) * (b - a) +
-                                                           fade * T * history::excess<Real>((b - a) / T));
+                         const Real linear = piece.rate * (b - a) *
+                                             (-expm1(-(t - b) / T) + fade * history::mean_lagged<Real>((b - a) / T));
                          return piece.amplitude == 0 ? linear : linear + history::lagged_sine(piece, a, b, t, T);
                        });
   }
@@ -235,6 +242,14 @@ class BasicHistory {
 
  private:
   explicit BasicHistory(std::vector<HistoryPiece<Real>> pieces) : pieces_(std::move(pieces)) {}
+
+  static Real rate_between(const std::vector<HistoryPoint<Real>>& points, std::size_t i) {
+    const Real duration = points[i + 1].time - points[i].time;
+    require_representable(numbered("t", i + 1) + " - " + numbered("t", i), static_cast<double>(duration));
+    const Real rate = (points[i + 1].value - points[i].value) / duration;
+    require_finite(numbered("rate", i), static_cast<double>(rate));
+    return rate;
+  }
 
   std::size_t piece_at(const Real& t) const {
     const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), t,

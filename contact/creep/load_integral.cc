@@ -1,4 +1,5 @@
 #include <patchgrip/contact/creep/load_integral.h>
+#include <patchgrip/contact/falling_root.h>
 
 #include <algorithm>
 #include <numbers>

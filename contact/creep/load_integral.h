@@ -15,7 +15,6 @@
 //          that comes and goes between two of them is not seen.
 #pragma once
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -43,20 +42,6 @@ constexpr double most_turns = 1e5;
 
 // Times to look at in (start of the piece, end], ascending; the last is the end.
 std::vector<double> look_times(const HistoryPiece<double>& piece, double end);
-
-// The root of a function that is >= 0 at lo and < 0 at hi, to the last digit.
-template <class Function>
-double falling_root(const Function& f, double lo, double hi) {
-  const double at_lo = f(lo), at_hi = f(hi);
-  if (at_lo <= 0) return lo;
-  if (at_hi >= 0) return hi;
-  std::uintmax_t iterations = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      f, lo, hi, at_lo, at_hi, boost::math::tools::eps_tolerance<double>(52), iterations);
-  if (iterations >= 200)
-    throw std::runtime_error("a time of contact did not settle: residual " + std::to_string(f(left)));
-  return left + (right - left) / 2;
-}
 
 // The first time up to `until` from which X falls, the last one before a jump down; +infinity if it does not.
 double load_integral_falls_at(const CreepCompliance& compliance, const History& force, double until);

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <patchgrip/contact/creep/numbered.h>
+#include <patchgrip/contact/numbered.h>
 #include <patchgrip/contact/require.h>
 
 namespace patchgrip::contact {

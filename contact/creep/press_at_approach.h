@@ -24,6 +24,7 @@
 #include <patchgrip/contact/creep/fading.h>
 #include <patchgrip/contact/creep/load_integral.h>
 #include <patchgrip/contact/creep/receding_approach.h>
+#include <patchgrip/contact/falling_root.h>
 
 namespace patchgrip::contact {
 

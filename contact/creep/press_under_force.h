@@ -26,6 +26,7 @@
 #include <patchgrip/contact/axisymmetric.h>
 #include <patchgrip/contact/creep/fading.h>
 #include <patchgrip/contact/creep/receding_load.h>
+#include <patchgrip/contact/falling_root.h>
 
 namespace patchgrip::contact {
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <patchgrip/contact/creep/load_integral.h>
+#include <patchgrip/contact/falling_root.h>
 
 namespace patchgrip::contact {
 namespace {

@@ -1,4 +1,5 @@
 #include <patchgrip/contact/creep/receding_load.h>
+#include <patchgrip/contact/falling_root.h>
 
 #include <algorithm>
 #include <cmath>

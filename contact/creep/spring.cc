@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <patchgrip/contact/creep/load_integral.h>
+#include <patchgrip/contact/falling_root.h>
 
 namespace patchgrip::contact {
 namespace {
@@ -47,7 +48,7 @@ struct Course {
       if (weights[k] > 0) least += weights[k] * std::expm1(-rates[k] * end);
     }
     if (rises || least > 0) return never;
-    if (falls) return (*this)(end) < 0 ? falling_root(*this, 0, end) : never;
+    if (falls) return (*this)(end) < 0 ? falling_root(*this, 0., end) : never;
     double before = 0;
     for (int k = 0; k < 28; ++k) {
       // 2^-23 .. 1/16, then eighths.

@@ -55,7 +55,7 @@ SpringPress press_springs(const P& profile, const ContactCreep& creep, const His
   const double force_error = fine.force().error;
   const double moved = a > 0 ? force_error * creep.compliance(t - force.start()) / (2 * a) : 0;
   return {{fine.approach() + change / 3, std::fabs(change) + moved},
-          {a + widening / 3, std::fabs(widening) + fine.distance() / 50},
+          {a + widening / 3, std::fabs(widening) + Springs::radius_share * fine.distance()},
           std::move(fine)};
 }
 

@@ -14,7 +14,8 @@
 // Error    of F at a given approach: the estimate, four times what the second differences of q say and a quarter of
 //          what lies beyond the last spring, where a kink would not show: of order 1/springs^2, mostly two or three
 //          decades too careful. Of the steps under a given force: spring_press.h; tests/contact/springs_test.cc.
-// Fails    fewer than three springs in touch: the estimate is the force itself.
+// Fails    fewer than three springs in touch: the estimate is the force itself. Where a ring touches beside the circle
+//          or instead of it (not `is_one_circle`), force and error are those of the circle alone.
 // Throws   std::invalid_argument for bad input, and where the radius would leave `widest`; std::runtime_error where the
 //          approach of a force does not settle.
 #pragma once
@@ -30,6 +31,8 @@ namespace patchgrip::contact {
 
 class Springs {
  public:
+  static constexpr double radius_share = 0.02;
+
   // Springs at 0, widest / count, .. widest.
   template <Profile P>
   static Springs under(const P& profile, ContactCreep creep, double widest, int count) {
@@ -48,7 +51,7 @@ class Springs {
 
   double approach() const noexcept { return approach_; }  // delta [m]
   Estimate force() const;                                 // F [N]
-  double radius() const;                                  // a [m], to about a hundredth of the distance of the springs
+  double radius() const;                                  // a [m], right to radius_share of the distance of the springs
   double pressure(double r) const;                        // p [Pa], first order in the distance of the springs
   bool is_one_circle() const;
   bool stress_falls() const;

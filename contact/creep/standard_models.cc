@@ -1,5 +1,8 @@
 #include <patchgrip/contact/creep/standard_models.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace patchgrip::contact {
 
 RelaxationModulus kelvin_voigt(double E2, double eta) {
@@ -13,26 +16,27 @@ RelaxationModulus maxwell(double E1, double eta) {
 }
 
 PoyntingThomson PoyntingThomson::of(double E1, double E2, double eta) {
-  return {require_positive("E1", E1), require_positive("E2", E2), require_positive("eta", eta)};
+  const PoyntingThomson model{require_positive("E1", E1), require_positive("E2", E2), require_positive("eta", eta)};
+  require_representable("E1 + E2", E1 + E2);
+  require_representable("retardation_rate", model.retardation_rate());
+  return model;
 }
 
 RelaxationModulus PoyntingThomson::modulus() const { return RelaxationModulus::of(E2, {{E1, eta / E1}}); }
 
-double PoyntingThomson::retardation_rate() const noexcept { return E1 / (E1 + E2) * (E2 / eta); }
+double PoyntingThomson::retardation_rate() const noexcept {
+  return std::min(E1, E2) / eta * (std::max(E1, E2) / (E1 + E2));
+}
 
 double PoyntingThomson::creep(double t) const noexcept {
   if (!(t >= 0)) return 0;
-  return (1 - E1 / E2 * std::expm1(-retardation_rate() * t)) / (E1 + E2);
+  return 1 / (E1 + E2) - E1 / (E1 + E2) / E2 * std::expm1(-retardation_rate() * t);
 }
 
 double PoyntingThomson::creep_rate(double t) const noexcept {
   if (!(t >= 0)) return 0;
   const double share = E1 / (E1 + E2);
   return share * share / eta * std::exp(-retardation_rate() * t);
-}
-
-RelaxationModulus poynting_thomson(double E1, double E2, double eta) {
-  return PoyntingThomson::of(E1, E2, eta).modulus();
 }
 
 }  // namespace patchgrip::contact

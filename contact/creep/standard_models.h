@@ -14,7 +14,7 @@
 // Units    E_1, E_2 [Pa], eta [Pa s].
 // Error    K_E, k_E, alpha: <= 6 units of rounding (2^-53), relative, times 1 + alpha t in k_E; tau: <= 1 unit.
 //          tests/contact/prony_test.cc.
-// Throws   std::invalid_argument outside the domain.
+// Throws   std::invalid_argument outside the domain, or where E_1 + E_2 or alpha would overflow or underflow.
 #pragma once
 
 #include <patchgrip/contact/creep/relaxation_modulus.h>
@@ -36,7 +36,5 @@ struct PoyntingThomson {
   double E2;   // [Pa]
   double eta;  // [Pa s]
 };
-
-RelaxationModulus poynting_thomson(double E1, double E2, double eta);
 
 }  // namespace patchgrip::contact

@@ -194,6 +194,25 @@ TEST(AxisymmetricContact, PressureVanishesOutsideAndGapInside) {
   });
 }
 
+TEST(AxisymmetricContact, IsEvenInTheRadiusAndNanOfNan) {
+  for_each_profile([](const auto& c) {
+    const auto contact = AxisymmetricContact<std::decay_t<decltype(c.profile)>>::under_force(c.profile, 0.1, 2);
+    const double nan = std::nan("");
+    for (const double part : {0.2, 0.9, 1.1, 3.}) {
+      const double r = part * contact.radius();
+      EXPECT_EQ(contact.pressure(-r), contact.pressure(r)) << c.name;
+      EXPECT_EQ(contact.displacement(-r), contact.displacement(r)) << c.name;
+      EXPECT_EQ(contact.gap(-r), contact.gap(r)) << c.name;
+      EXPECT_EQ(contact.pressure_error(-r), contact.pressure_error(r)) << c.name;
+      EXPECT_EQ(contact.displacement_error(-r), contact.displacement_error(r)) << c.name;
+      EXPECT_EQ(contact.gap_error(-r), contact.gap_error(r)) << c.name;
+    }
+    EXPECT_TRUE(std::isnan(contact.pressure(nan))) << c.name;
+    EXPECT_TRUE(std::isnan(contact.displacement(nan))) << c.name;
+    EXPECT_TRUE(std::isnan(contact.gap(nan))) << c.name;
+  });
+}
+
 TEST(AxisymmetricContact, OutOfRangeParametersAreNamed) {
   using Contact = AxisymmetricContact<Paraboloid>;
   const auto profile = Paraboloid::of_radius(1);

@@ -76,7 +76,7 @@ TEST(ContactCreep, OfElasticBodiesIsTheContactModulus) {
 
 // The seed adds k_E without 1 - nu^2: two equal bodies of nu = 1/2, E1 = E2 would relax by 2.333 instead of 2.
 TEST(ContactCreep, RelaxesByTheFactorOfTheBodies) {
-  const auto body = ViscoelasticMaterial::of(poynting_thomson(3e4, 3e4, 5e3), 0.5);
+  const auto body = ViscoelasticMaterial::of(PoyntingThomson::of(3e4, 3e4, 5e3).modulus(), 0.5);
   const auto pair = ContactCreep::between(body, body);
   EXPECT_DOUBLE_EQ(pair.compliance(1e9) / pair.compliance(0), 2);
   EXPECT_EQ(pair.compliance.modes().size(), 1U);
@@ -114,7 +114,8 @@ TEST(GrowingEllipse, AgreesWithTheTable) {
 }
 
 TEST(GrowingEllipse, KeepsItsShapeUntilItWouldShrink) {
-  const auto creep = ContactCreep::against_rigid(ViscoelasticMaterial::of(poynting_thomson(25000, 25000, 5000), 0.5));
+  const auto creep =
+      ContactCreep::against_rigid(ViscoelasticMaterial::of(PoyntingThomson::of(25000, 25000, 5000).modulus(), 0.5));
   const auto radii = RelativeRadii::of(0.01, 0.03);
   const auto force = History::triangle(10, 1);
   const auto early = GrowingEllipse::under_force(radii, creep, force, 0.1);

@@ -144,6 +144,16 @@ TEST(History, AJumpCountsFromItsTimeOn) {
   EXPECT_NEAR(History::half_sine(2, 1).faded(3.1415, 1e300), 2 * std::sin(3.1415), 1e-14);
 }
 
+TEST(History, ARiseThatHardlyLastsIsAJump) {
+  for (const double duration : {1e-290, 1e-200, 1e-100}) {
+    const auto rise = History::points({{0, 0}, {duration, 3}});
+    for (const double T : {1e-3, 1., 1e40}) {
+      EXPECT_DOUBLE_EQ(rise.faded(0.5, T), History::step(3).faded(0.5, T)) << duration << ' ' << T;
+      EXPECT_DOUBLE_EQ(rise.lagged(0.5, T), History::step(3).lagged(0.5, T)) << duration << ' ' << T;
+    }
+  }
+}
+
 TEST(History, BadInputIsRefused) {
   EXPECT_THAT([] { History::points({}); }, refused("points = 0 is not allowed: must be at least one"));
   EXPECT_THAT(
@@ -156,6 +166,14 @@ TEST(History, BadInputIsRefused) {
         History::points({{0, 1}, {NAN, 2}});
       },
       refused("t_1 = nan is not allowed: must not be less than the time before it"));
+  const auto starts = [](const std::string& message) {
+    return ::testing::ThrowsMessage<std::invalid_argument>(::testing::StartsWith(message));
+  };
+  EXPECT_THAT([] { History::points({{0, 1}, {1e-310, 2}}); }, starts("t_1 - t_0 = 1e-310 is not allowed"));
+  EXPECT_THAT([] { History::points({{0, 0}, {1e-300, 1e10}}); }, starts("rate_0 = inf is not allowed"));
+  EXPECT_THAT([] { History::sine(1e200, 1, 1e200); }, starts("mean * swing * frequency = inf is not allowed"));
+  EXPECT_THAT([] { History::half_sine(1e200, 1e200); }, starts("height * frequency = inf is not allowed"));
+  EXPECT_THAT([] { History::half_sine(1, 1e-310); }, starts("pi / frequency = inf is not allowed"));
   EXPECT_THAT([] { History::step(INFINITY); }, refused("value_0 = inf is not allowed: must be finite"));
   EXPECT_THAT([] { History::half_sine(1, 0); }, refused("frequency = 0 is not allowed: must be positive and finite"));
   EXPECT_THAT([] { History::triangle(1, -1); }, refused("peak_time = -1 is not allowed: must be positive and finite"));

@@ -42,7 +42,7 @@ using AtApproach = PressAtApproach<PowerProfile>;
 double units(const Estimate& estimate, const Exact& exact) { return units_of_rounding(estimate.value, exact); }
 
 ContactCreep solid(double E1, double E2, double eta) {
-  return ContactCreep::against_rigid(ViscoelasticMaterial::of(poynting_thomson(E1, E2, eta), 0.5));
+  return ContactCreep::against_rigid(ViscoelasticMaterial::of(PoyntingThomson::of(E1, E2, eta).modulus(), 0.5));
 }
 
 TEST(PressUnderForce, StepsAndRampsAgreeWithTheTable) {
@@ -128,10 +128,11 @@ TEST(PressUnderForce, PowerProfilesAgreeWithTheTable) {
 TEST(PressUnderForce, OfTwoBodiesAgreesWithTheTable) {
   for (const auto& row : contact_rows("visco_two_bodies_step")) {
     const auto creep = ContactCreep::between(
-        ViscoelasticMaterial::of(poynting_thomson(row.input("E1_p"), row.input("E2_p"), row.input("eta_p")),
-                                 row.input("nu_p")),
-        ViscoelasticMaterial::of(poynting_thomson(row.input("E1_m"), row.input("E2_m"), row.input("eta_m")),
-                                 row.input("nu_m")));
+        ViscoelasticMaterial::of(
+            PoyntingThomson::of(row.input("E1_p"), row.input("E2_p"), row.input("eta_p")).modulus(), row.input("nu_p")),
+        ViscoelasticMaterial::of(
+            PoyntingThomson::of(row.input("E1_m"), row.input("E2_m"), row.input("eta_m")).modulus(),
+            row.input("nu_m")));
     const auto press = UnderForce::of(paraboloid(row.input("R")), creep, History::step(row.input("F0")), 1);
     EXPECT_LE(units(press.approach(row.input("t")), row.output("delta")), 8);
     EXPECT_LE(units_of_rounding(creep.secant_modulus(0), row.output("E_star_0")), 3);

@@ -11,8 +11,8 @@ namespace patchgrip::contact {
 inline PowerProfile paraboloid(double R) { return PowerProfile::of_coefficient(1 / (2 * R), 2); }
 
 inline ContactCreep poynting_thomson_of(const testing::ContactRow& row) {
-  return ContactCreep::against_rigid(
-      ViscoelasticMaterial::of(poynting_thomson(row.input("E1"), row.input("E2"), row.input("eta")), row.input("nu")));
+  return ContactCreep::against_rigid(ViscoelasticMaterial::of(
+      PoyntingThomson::of(row.input("E1"), row.input("E2"), row.input("eta")).modulus(), row.input("nu")));
 }
 
 inline ContactCreep prony_of(const testing::ContactRow& row) {

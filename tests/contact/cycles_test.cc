@@ -110,7 +110,8 @@ RC_GTEST_PROP(Cycles, OfAnElasticBodyForget, (unsigned seed)) {
 
 // A press soon after another meets a dent; long after, a surface that has forgotten.
 TEST(Cycles, SurfacesRecover) {
-  const auto creep = ContactCreep::against_rigid(ViscoelasticMaterial::of(poynting_thomson(3e4, 1e4, 3e3), 0.5));
+  const auto creep =
+      ContactCreep::against_rigid(ViscoelasticMaterial::of(PoyntingThomson::of(3e4, 1e4, 3e3).modulus(), 0.5));
   const auto second = [&](double pause) {
     const auto approach = History::points({{0, 0}, {1, 1e-3}, {1, -1e-3}, {1 + pause, 0}, {2 + pause, 1e-3}});
     return RoundCycles::of(paraboloid(0.02), creep, approach).zone(2 + pause).force.value;
@@ -175,7 +176,7 @@ RC_GTEST_PROP(SpringLaw, IsPassive, (unsigned seed)) {
 }
 
 TEST(SpringLaw, MeetsAndLeavesAJumpAtOnce) {
-  const SpringLaw law(ContactCreep::against_rigid(ViscoelasticMaterial::of(poynting_thomson(3, 1, 1), 0)));
+  const SpringLaw law(ContactCreep::against_rigid(ViscoelasticMaterial::of(PoyntingThomson::of(3, 1, 1).modulus(), 0)));
   std::vector<double> modes(1);
   Spring spring;
   law.jump(spring, modes, -1);
@@ -191,6 +192,22 @@ TEST(SpringLaw, MeetsAndLeavesAJumpAtOnce) {
   EXPECT_DOUBLE_EQ(spring.depth, 0.375);
   law.advance(spring, modes, -1, 0, 1);
   EXPECT_DOUBLE_EQ(spring.depth, 0.375 * std::exp(-0.75));
+}
+
+TEST(Cycles, CoursesOfDifferentPiecesDiffer) {
+  std::vector<std::uint64_t> courses{0};
+  constexpr std::size_t pieces = 60;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const auto first = next_course(0, i);
+    courses.push_back(first);
+    for (std::size_t j = 0; j < pieces; ++j) {
+      const auto second = next_course(first, j);
+      courses.push_back(second);
+      for (std::size_t k = 0; k < pieces; ++k) courses.push_back(next_course(second, k));
+    }
+  }
+  std::sort(courses.begin(), courses.end());
+  EXPECT_EQ(std::adjacent_find(courses.begin(), courses.end()), courses.end());
 }
 
 TEST(Cycles, BadInputIsRefused) {

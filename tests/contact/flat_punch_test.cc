@@ -103,6 +103,16 @@ TEST(FlatPunch, EdgeCarriesAnInfinitePressure) {
   EXPECT_EQ(punch.displacement(1), punch.approach);
 }
 
+TEST(FlatPunch, IsEvenInTheRadiusAndNanOfNan) {
+  const auto punch = FlatPunch::under_force(1, 1, 1);
+  for (const double r : {0., 0.3, 1., 1.7}) {
+    EXPECT_EQ(punch.pressure(-r), punch.pressure(r)) << r;
+    EXPECT_EQ(punch.displacement(-r), punch.displacement(r)) << r;
+  }
+  EXPECT_TRUE(std::isnan(punch.pressure(std::nan(""))));
+  EXPECT_TRUE(std::isnan(punch.displacement(std::nan(""))));
+}
+
 TEST(FlatPunch, OutOfRangeParametersAreNamed) {
   const std::string rule = " is not allowed: must be positive and finite";
   EXPECT_THAT([] { FlatPunch::under_force(0, 1, 1); }, refused("radius = 0" + rule));

@@ -98,10 +98,10 @@ TEST(LoadIntegral, AgreesWithTheTable) {
 }
 
 TEST(LoadIntegral, FallsWhereItsRateTurns) {
-  const auto compliance = creep_compliance(poynting_thomson(25000, 25000, 5000));
+  const auto compliance = creep_compliance(PoyntingThomson::of(25000, 25000, 5000).modulus());
   // A triangle: at the peak itself while J(t_p) <= 2 J_0, which E1 = E2 never exceeds.
   EXPECT_EQ(load_integral_falls_at(compliance, History::triangle(3, 0.7), 1.4), 0.7);
-  const auto slow = creep_compliance(poynting_thomson(100000, 25000, 8000));
+  const auto slow = creep_compliance(PoyntingThomson::of(100000, 25000, 8000).modulus());
   const double turn = load_integral_falls_at(slow, History::triangle(3, 2), 4);
   EXPECT_GT(turn, 2);
   EXPECT_NEAR(load_integral_rate(slow, History::triangle(3, 2), turn), 0, 1e-18);
@@ -160,7 +160,7 @@ RC_GTEST_PROP(GrowingContact, IsLinearInTheForce, (unsigned seed)) {
 }
 
 TEST(GrowingContact, SaysWhenItHasShrunk) {
-  GrowingContact contact(creep_compliance(poynting_thomson(25000, 25000, 5000)));
+  GrowingContact contact(creep_compliance(PoyntingThomson::of(25000, 25000, 5000).modulus()));
   contact.advance(0, 10);
   contact.advance(3, 10);
   EXPECT_TRUE(contact.is_growing());
@@ -171,13 +171,35 @@ TEST(GrowingContact, SaysWhenItHasShrunk) {
 }
 
 TEST(GrowingContact, TendsToHertzOfTheRelaxedModulus) {
-  const auto body = ViscoelasticMaterial::of(poynting_thomson(25000, 25000, 5000), 0.5);
+  const auto body = ViscoelasticMaterial::of(PoyntingThomson::of(25000, 25000, 5000).modulus(), 0.5);
   GrowingContact contact(ContactCreep::against_rigid(body).compliance);
   contact.advance(0, 10);
   // Figure 4.9: 8.585 mm at once, 13.628404 mm in the end; not 17.17 mm.
   EXPECT_NEAR(contact.approach(paraboloid(0.02)), 8.585357e-3, 1e-9);
   contact.advance(1e3, 10);
   EXPECT_NEAR(contact.approach(paraboloid(0.02)), 13.628404e-3, 1e-9);
+}
+
+// Without a spring of its own X starts with the lag z / 2 of a mode, z = h / lambda, however small.
+TEST(GrowingContact, StepsThatHardlyLastAreNotLost) {
+  const auto compliance = CreepCompliance::of(0, {{0.25, 8.}});
+  for (const double duration : {1e-3, 1e-100, 1e-160, 1e-300, 1e-306}) {
+    GrowingContact contact(compliance);
+    contact.advance(duration, 2);
+    const Exact z = Exact(duration) / 8;
+    const Exact lag = z < 1e-60 ? Exact(z / 2) : Exact(1 + expm1(Exact(-z)) / z);
+    EXPECT_LE(units_of_rounding(contact.load_integral(), Exact(0.25 * 2 * lag)), 4) << duration;
+  }
+  GrowingContact contact(CreepCompliance::of(1, {{0.25, 1e300}}));
+  contact.advance(5e-324, 2);  // h / lambda underflows
+  EXPECT_EQ(contact.load_integral(), 2);
+  EXPECT_TRUE(contact.is_growing());
+}
+
+TEST(GrowingContact, LoadBeyondTheRangeOfDoubleIsRefused) {
+  GrowingContact contact(CreepCompliance::of(1e200, {{0.25, 8.}}));
+  EXPECT_THAT([&] { contact.advance(0, 1e200); },
+              refused("load_integral = inf is not allowed: must be non-negative and finite"));
 }
 
 TEST(GrowingContact, BadInputIsRefused) {

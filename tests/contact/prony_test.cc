@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -275,6 +276,29 @@ TEST(StandardModels, PoyntingThomsonTendsToTheOthers) {
   const double t = 0.3;
   EXPECT_NEAR(PoyntingThomson::of(1e15, 25000, 5000).creep(t) * 25000, -std::expm1(-t * 5), 1e-9);
   EXPECT_NEAR(PoyntingThomson::of(50000, 1e-6, 60000).creep(t) / (1 / 50000. + t / 60000), 1, 1e-9);
+}
+
+TEST(PoyntingThomson, OfModuliFarApartIsRightOrRefused) {
+  for (const double E1 : {1e-200, 1e-3, 1e200}) {
+    for (const double E2 : {1e-200, 1e-3, 1e200}) {
+      for (const double eta : {1e-150, 1., 1e150}) {
+        const Exact alpha = Exact(E1) * E2 / (Exact(eta) * (Exact(E1) + E2));
+        if (alpha > std::numeric_limits<double>::max() || alpha < std::numeric_limits<double>::min()) {
+          EXPECT_THROW(PoyntingThomson::of(E1, E2, eta), std::invalid_argument);
+          continue;
+        }
+        const auto solid = PoyntingThomson::of(E1, E2, eta);
+        EXPECT_LE(units_of_rounding(solid.retardation_rate(), alpha), 3);
+        EXPECT_LE(units_of_rounding(solid.creep(0), 1 / (Exact(E1) + E2)), 2);
+        const double t = static_cast<double>(0.7 / alpha);
+        if (!std::isfinite(t)) continue;
+        const Exact end = (1 - Exact(E1) / E2 * expm1(Exact(-alpha * t))) / (Exact(E1) + E2);
+        EXPECT_LE(units_of_rounding(solid.creep(t), end), 6) << E1 << ' ' << E2 << ' ' << eta;
+      }
+    }
+  }
+  EXPECT_THAT([] { PoyntingThomson::of(1.5e308, 1.5e308, 1); },
+              ::testing::ThrowsMessage<std::invalid_argument>(::testing::StartsWith("E1 + E2 = inf is not allowed")));
 }
 
 TEST(Series, BeforeTheStepNothingHappens) {

@@ -149,6 +149,16 @@ TEST(RotationalPressure, SurfaceIsContinuousAtTheRim) {
   }
 }
 
+TEST(RotationalPressure, IsEvenInTheRadiusAndNanOfNan) {
+  const auto family = RotationalPressure::of_curvature(3, 1, 1, 1);
+  for (const double r : {0., 0.3, 1., 1.7}) {
+    EXPECT_EQ(family.pressure(-r), family.pressure(r)) << r;
+    EXPECT_EQ(family.displacement(-r), family.displacement(r)) << r;
+  }
+  EXPECT_TRUE(std::isnan(family.pressure(std::nan(""))));
+  EXPECT_TRUE(std::isnan(family.displacement(std::nan(""))));
+}
+
 TEST(RotationalPressure, OutOfRangeParametersAreNamed) {
   EXPECT_THAT([] { RotationalPressure::of_curvature(0, 1, 1, 1); },
               refused("n = 0 is not allowed: must lie in [1, 1000]"));

@@ -19,7 +19,7 @@ using patchgrip::testing::contact_rows;
 using patchgrip::testing::units_of_rounding;
 
 ContactCreep solid(double E1, double E2, double eta) {
-  return ContactCreep::against_rigid(ViscoelasticMaterial::of(poynting_thomson(E1, E2, eta), 0.5));
+  return ContactCreep::against_rigid(ViscoelasticMaterial::of(PoyntingThomson::of(E1, E2, eta).modulus(), 0.5));
 }
 
 TEST(SeedCreep, IsTheRelationThatIsPrinted) {

@@ -151,7 +151,8 @@ RC_GTEST_PROP(Springs, CyclesOfForceDissipate, (unsigned seed)) {
 }
 
 TEST(Springs, ForceIsLostAndMetAgain) {
-  const auto creep = ContactCreep::against_rigid(ViscoelasticMaterial::of(poynting_thomson(3e4, 1e4, 3e3), 0.5));
+  const auto creep =
+      ContactCreep::against_rigid(ViscoelasticMaterial::of(PoyntingThomson::of(3e4, 1e4, 3e3).modulus(), 0.5));
   auto springs = Springs::under(paraboloid(0.02), creep, 0.01, 200);
   springs.advance_to_force(1, 0.2);
   EXPECT_NEAR(springs.force().value, 0.2, 1e-12);
@@ -171,6 +172,20 @@ TEST(Springs, PressureIsThatOfHertzForAnElasticBody) {
     EXPECT_NEAR(springs.pressure(r), 2 * 3 / M_PI * std::sqrt(0.09 - r * r), 2e-3);
   }
   EXPECT_EQ(springs.pressure(0.31), 0);
+}
+
+TEST(Springs, RadiusIsRightToItsShareOfTheDistance) {
+  const auto creep = ContactCreep::against_rigid(ViscoelasticMaterial::elastic(Material::elastic(3, 0)));
+  std::mt19937_64 engine(20060413);
+  double worst = 0;
+  for (int i = 0; i < cases(300); ++i) {
+    auto springs = Springs::under(paraboloid(1), creep, 0.5, 50);
+    const double delta = uniform(engine, 0.01, 0.24);  // from ten springs on
+    springs.advance_to_approach(1, delta);
+    worst = std::max(worst, std::abs(springs.radius() - std::sqrt(delta)) / springs.distance());
+  }
+  RecordProperty("worst_share", std::to_string(worst));
+  EXPECT_LE(worst, Springs::radius_share);
 }
 
 TEST(Springs, BadInputIsRefused) {
