@@ -15,7 +15,8 @@
 // Domain   meshes of smooth bodies; the point within the longest side of the nearest triangle from it; 40 vertices
 //          around the point without a border among them.
 // Units    lengths as in the mesh [m], curvatures [1/m].
-// Error    |k_max - true|, |k_min - true| <= curvature_error in every one of the points drawn on ellipsoids with axes
+// Error    the matrix of curvature, in the tangent plane, differs from the true one by at most curvature_error
+//          along any direction, and so do k_max and k_min: in every one of the points drawn on ellipsoids with axes
 //          up to 1 : 1 : 5, of 642 to 10242 vertices, exact or with a scatter of 1e-7 to 1e-4 of their size; its
 //          median is 8 times the error. Smooth and fine: 1e-4 to 1e-3 of the curvature with 10242 vertices;
 //          tests/contact/mesh_curvature_test.cc.

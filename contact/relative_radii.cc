@@ -52,7 +52,8 @@ RelativeRadii RelativeRadii::of_bodies(const PrincipalRadii& p, const PrincipalR
   return {require_representable("R_small", static_cast<double>(2 / larger)),
           require_representable("R_large", static_cast<double>(larger / (2 * det))),
           static_cast<double>(2 * difference / larger),
-          static_cast<double>(angle > 0 ? angle - quarter_turn : angle + quarter_turn)};
+          static_cast<double>(angle > 0 ? angle - quarter_turn : angle + quarter_turn),
+          static_cast<double>(1.01L + 0x1p-9L * (std::fabs(cosine_part) + std::fabs(sine_part)) / det)};
 }
 
 RelativeRadii RelativeRadii::of(double small, double large) {

@@ -16,7 +16,7 @@
 //          along a line or in more places.
 // Units    R [m], alpha and angle_a [rad].
 // Error    R_small, R_large <= 1.01 units of 2^-53, relative, plus 2^-9 units per unit of the condition
-//          (|first| + |second term|) / det, which is 1 unless a saddle or a hollow takes part;
+//          (|first| + |second term|) / det, which is 1 unless a saddle or a hollow takes part: both to radius_units;
 //          1 - R_small / R_large <= 1.01 units + 2^-9 units (|dp| + |dm|) / D of its size;
 //          tests/contact/relative_radii_test.cc.
 // Throws   std::invalid_argument, naming the parameter, outside the domain or where a radius would not be
@@ -37,10 +37,11 @@ struct RelativeRadii {
   // Nearly circular: 1 - small / large in [0, 1/2].
   static RelativeRadii of_one_minus_ratio(double one_minus_ratio, double large);
 
-  double small;            // R_small [m], along b
-  double large;            // R_large [m], along a
-  double one_minus_ratio;  // 1 - R_small / R_large [1]
-  double angle_a;          // from the R1p direction to the semi-axis a [rad], in (-pi/2, pi/2]; pi/2 for a circle
+  double small;             // R_small [m], along b
+  double large;             // R_large [m], along a
+  double one_minus_ratio;   // 1 - R_small / R_large [1]
+  double angle_a;           // from the R1p direction to the semi-axis a [rad], in (-pi/2, pi/2]; pi/2 for a circle
+  double radius_units = 0;  // bound of the relative error of small and large in units of 2^-53; 0 where they were given
 };
 
 }  // namespace patchgrip::contact

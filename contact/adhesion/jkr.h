@@ -24,7 +24,8 @@
 // Error    units of 2^-53: a <= 1.1, relative, at every load; at a given approach <= 1.1 + 2^-8 / t. F, delta,
 //          stiffness, p: <= 1.1 relative to the larger of their two terms, where a is given; where F or delta is given,
 //          that one is returned as it is, and the other has <= 3 (plus those of a by an approach) times the larger
-//          term; tests/contact/jkr_test.cc.
+//          term. The stiffness has a pole at y = 4: at a given approach <= 2 + 2^-8 / t + 2^-9 / t^2, relative to the
+//          larger of 2 E* a 3y / |4 - y| and itself; tests/contact/jkr_test.cc.
 // Fails    the stiffness is infinite where the approach is least, and p tends to -infinity at the rim.
 // Throws   std::invalid_argument, naming the parameter: loads and approaches below pull-off, r >= a.
 #pragma once

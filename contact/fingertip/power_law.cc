@@ -1,6 +1,7 @@
 #include <patchgrip/contact/fingertip/power_law.h>
 #include <patchgrip/contact/require.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -41,10 +42,11 @@ PowerLawFit PowerLawFit::to(std::span<const MeasuredRadius> points) {
   const auto n = static_cast<Real>(points.size());
   if (points.size() < 2) refuse("points", static_cast<double>(points.size()), "must be at least 2");
   std::vector<Real> x, y;
-  Real mean_x = 0, mean_y = 0;
+  Real mean_x = 0, mean_y = 0, largest = 1;
   for (const auto& point : points) {
     x.push_back(std::log(Real(require_positive("normal_force", point.normal_force))));
     y.push_back(std::log(Real(require_positive("contact_radius", point.contact_radius))));
+    largest = std::max({largest, std::fabs(x.back()), std::fabs(y.back())});
     mean_x += x.back() / n;
     mean_y += y.back() / n;
   }
@@ -56,6 +58,7 @@ PowerLawFit PowerLawFit::to(std::span<const MeasuredRadius> points) {
   if (!(std::sqrt(xx / n) > 0x1p-50L * (1 + std::fabs(mean_x)))) {
     refuse("normal_force", points.front().normal_force, "must differ between the points");
   }
+  const auto [least, most] = std::ranges::minmax(x);
   const Real gamma = xy / xx;
   if (!(gamma > 0)) refuse("gamma", static_cast<double>(gamma), "must be positive: radii grow with the force");
   const Real log_c = mean_y - gamma * mean_x;
@@ -70,7 +73,9 @@ PowerLawFit PowerLawFit::to(std::span<const MeasuredRadius> points) {
           static_cast<double>(std::sqrt(squares / n)),
           static_cast<double>(std::sqrt(variance / xx)),
           static_cast<double>(std::sqrt(variance * (1 / n + mean_x * mean_x / xx))),
-          static_cast<int>(points.size())};
+          static_cast<int>(points.size()),
+          static_cast<double>(most - least),
+          static_cast<double>(1.6L + 0x1p-7L * largest * largest / (most - least))};
 }
 
 Limits PowerLawFit::gamma_limits(double confidence) const {

@@ -14,7 +14,8 @@
 // Domain   fit: n >= 2 points, not all at one load; limits: n >= 3.
 // Units    F [N], a [m], c [m N^-gamma], gamma, rms_log [1].
 // Error    units of 2^-53: a <= 3, F <= (2 + |ln(a/c)|) / gamma, relative. fit: gamma absolute, c relative: 1.6, and
-//          2^-7 times the square of the largest |ln F|, |ln a| over the range of ln F; tests/contact/power_law_test.cc.
+//          2^-7 times the square of the largest |ln F|, |ln a| over the range of ln F: error_units;
+//          tests/contact/power_law_test.cc.
 // Throws   std::invalid_argument, naming the parameter, outside the domain.
 #pragma once
 
@@ -53,6 +54,8 @@ struct PowerLawFit {
   double gamma_spread;  // standard error of gamma [1]
   double log_c_spread;  // standard error of ln c [1]
   int points;           // n
+  double log_range;     // of ln F over the points [1]
+  double error_units;   // bound of the errors of gamma, absolute, and of c, relative, in units of 2^-53
 };
 
 }  // namespace patchgrip::contact

@@ -163,7 +163,7 @@ TEST(Jkr, StateAtARadiusHoldsItsBound) {
 
 TEST(Jkr, RadiusAtAnApproachHoldsItsBound) {
   Draw draw;
-  double worst = 0, worst_force = 0;
+  double worst = 0, worst_force = 0, worst_stiffness = 0;
   for (int i = 0; i < cases(500); ++i) {
     const auto s = draw.sphere();
     const ExactSphere exact(s);
@@ -184,11 +184,19 @@ TEST(Jkr, RadiusAtAnApproachHoldsItsBound) {
     worst_force = std::max(
         worst_force, of_scale(at.normal_force, exact.force(a), static_cast<double>(std::max(exact.hertz(a), tension))) /
                          (2 + 3 * allowed));
+    const Exact y = 4 / ((1 + t) * (1 + t) * (1 + t));
+    const Exact slope = 2 * exact.E * a * (4 - 3 * y) / (4 - y);
+    const double scale = static_cast<double>(std::max(abs(slope), Exact(6 * exact.E * a * y / (4 - y))));
+    const double excess = static_cast<double>(t);
+    worst_stiffness = std::max(
+        worst_stiffness, of_scale(at.stiffness, slope, scale) / (2 + 0x1p-8 / excess + 0x1p-9 / (excess * excess)));
   }
   RecordProperty("worst_of_bound", std::to_string(worst));
   RecordProperty("worst_of_bound_force", std::to_string(worst_force));
+  RecordProperty("worst_of_bound_stiffness", std::to_string(worst_stiffness));
   EXPECT_LE(worst, 1);
   EXPECT_LE(worst_force, 1);
+  EXPECT_LE(worst_stiffness, 1);
 }
 
 rc::Gen<double> magnitude(int decades) {

@@ -53,7 +53,6 @@ TEST(PowerLawFit, HoldsItsBound) {
       const double force = k == 0 ? lo : k == 1 ? lo * span : lo * log_uniform(engine, 1, span);
       points.push_back({force, c * std::pow(force, gamma) * uniform(engine, 0.99, 1.01)});
     }
-    const auto fit = PowerLawFit::to(points);
     Exact n = 0, x = 0, y = 0, xx = 0, xy = 0, largest = 1;
     for (const auto& p : points) {
       const Exact lx = log(Exact(p.normal_force)), ly = log(Exact(p.contact_radius));
@@ -61,7 +60,13 @@ TEST(PowerLawFit, HoldsItsBound) {
       largest = std::max({largest, Exact(abs(lx)), Exact(abs(ly))});
     }
     const Exact slope = (n * xy - x * y) / (n * xx - x * x), offset = (y - slope * x) / n;
-    const double bound = static_cast<double>(Exact("1.7e-16") + Exact(0x1p-60) * largest * largest / log(Exact(span)));
+    if (!(slope > 0)) {
+      EXPECT_THROW(PowerLawFit::to(points), std::invalid_argument);
+      continue;
+    }
+    const auto fit = PowerLawFit::to(points);
+    const double bound = fit.error_units * 0x1p-53;
+    EXPECT_NEAR(fit.error_units / static_cast<double>(1.6 + 0x1p-7 * largest * largest / log(Exact(span))), 1, 1e-9);
     worst = std::max({worst, static_cast<double>(abs(fit.law.gamma - slope)) / bound,
                       static_cast<double>(abs(fit.law.c / exp(offset) - 1)) / bound});
   }

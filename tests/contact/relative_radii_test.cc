@@ -83,10 +83,10 @@ TEST(RelativeRadii, HoldTheirBound) {
       continue;
     }
     const auto radii = RelativeRadii::of_bodies(p, m, alpha);
-    const double det_units = 1.01 + 0x1p-9 * exact.condition;
+    EXPECT_NEAR(radii.radius_units / (1.01 + 0x1p-9 * exact.condition), 1, 1e-6);
     worst =
         std::max({worst, units_of_rounding(radii.small, exact.small) / 1.01,
-                  units_of_rounding(radii.large, exact.large) / det_units,
+                  units_of_rounding(radii.large, exact.large) / radii.radius_units,
                   units_of_rounding(radii.one_minus_ratio, exact.one_minus_ratio) / (1.01 + 0x1p-9 * exact.roundness)});
     const double turn = std::remainder(static_cast<double>(radii.angle_a - exact.angle) - pi / 2, pi);
     EXPECT_LE(std::abs(turn), 1e-15 + 1e-18 * exact.roundness);
