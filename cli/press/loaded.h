@@ -37,13 +37,10 @@ contact::AxisymmetricContact<P> loaded(P profile, const StaticLoad& load, double
   if constexpr (std::same_as<P, contact::Sphere>) {
     if (contact.circle().one_minus_ratio() < least_of_sphere) {
       const double deepest = (1 - least_of_sphere) * contact.profile().radius();
-      const auto limit = pressed_by(contact.profile(), {LoadKind::contact_radius, deepest}, modulus);
-      throw std::invalid_argument(fmt::format(
-          "{} is not allowed: press lets a sphere sink in to a/R = 1 - {:g}, approach {:.6g} m, normal_force {:.6g} N",
-          load.kind == LoadKind::normal_force ? fmt::format("normal_force = {}", load.value)
-          : load.kind == LoadKind::approach   ? fmt::format("approach = {}", load.value)
-                                              : fmt::format("contact_radius = {}", load.value),
-          least_of_sphere, limit.approach(), limit.force()));
+      const auto limit = contact::AxisymmetricContact<P>::at_radius(contact.profile(), deepest, modulus);
+      throw std::invalid_argument(
+          fmt::format("press lets a sphere sink in to a/R = 1 - {:g}, approach {:.6g} m, normal_force {:.6g} N",
+                      least_of_sphere, limit.approach(), limit.force()));
     }
   }
   return contact;

@@ -1,3 +1,4 @@
+#include <optional>
 #include <stdexcept>
 
 #include <patchgrip/cli/press/press_adhesion.h>
@@ -13,24 +14,39 @@
 namespace patchgrip::cli {
 namespace {
 
-Pressed press_pair(const BodyPair& pair, const PressScene& scene) {
+[[noreturn]] void refuse_adhesion(const PressScene& scene) {
+  scene.adhesion->place.refuse("covered between balls, hollows and planes");
+}
+
+// What two elastic bodies are to each other, whatever the load.
+struct Touching {
+  double modulus;                // E* [Pa]
+  std::optional<double> radius;  // [m], of two balls, hollows or planes
+  const Shape* stamp;
+};
+
+Touching touching(const BodyPair& pair) {
   if (pair.first.relaxing || pair.second.relaxing) {
-    throw std::invalid_argument("bodies: a viscoelastic body needs its load over time, [load]");
+    throw std::invalid_argument("a viscoelastic body needs its load over time, [load]");
   }
-  const double modulus = contact::contact_modulus(pair.first.material, pair.second.material);
-  const auto radius = relative_radius_of(pair);
+  return {contact::contact_modulus(pair.first.material, pair.second.material), relative_radius_of(pair),
+          stamp_of(pair)};
+}
+
+Pressed press_pair(const BodyPair& pair, const PressScene& scene) {
+  const auto [modulus, radius, stamp] = at(scene.subject_place, [&] { return touching(pair); });
   if (scene.adhesion) {
-    if (!radius) throw std::invalid_argument("adhesion: covered between balls, hollows and planes");
+    if (!radius) refuse_adhesion(scene);
     return press_adhesive(*radius, modulus, scene);
   }
   if (has_mesh(pair)) return press_mesh(pair, modulus, scene);
   if (height_map_of(pair) != nullptr) return press_height_map(pair, modulus, scene);
   if (radius) return press_balls(pair, scene);
-  if (stamp_of(pair) != nullptr) return press_stamp(pair, scene);
+  if (stamp != nullptr) return press_stamp(pair, scene);
   const auto first = curved_surface(pair.first.shape);
   const auto second = curved_surface(pair.second.shape);
   if (first && second) return press_ellipse(*first, *second, modulus, scene);
-  throw std::invalid_argument("bodies: these two shapes cannot be pressed on each other");
+  scene.subject_place.refuse("these two shapes cannot be pressed on each other");
 }
 
 struct PressSubject {
@@ -47,10 +63,8 @@ struct PressSubject {
 }  // namespace
 
 Pressed press(const PressScene& scene) {
-  if (scene.adhesion && !std::holds_alternative<BodyPair>(scene.subject)) {
-    throw std::invalid_argument("adhesion: covered between balls, hollows and planes");
-  }
-  return std::visit(PressSubject{scene}, scene.subject);
+  if (scene.adhesion && !std::holds_alternative<BodyPair>(scene.subject)) refuse_adhesion(scene);
+  return at(load_place(scene), [&] { return std::visit(PressSubject{scene}, scene.subject); });
 }
 
 }  // namespace patchgrip::cli

@@ -160,7 +160,7 @@ LawAnswer hertz_answer(const AdhesiveSphere& sphere, const StaticLoad& load) {
 MaugisState state_of(const MaugisDugdale& maugis, const StaticLoad& load) {
   if (load.kind == LoadKind::normal_force) return maugis.under_force(load.value);
   if (load.kind == LoadKind::contact_radius) return maugis.at_radius(load.value);
-  throw std::invalid_argument("approach: with a stress of adhesion give normal_force or contact_radius");
+  load.place.refuse("with a stress of adhesion give normal_force or contact_radius");
 }
 
 LawAnswer maugis_answer(const MaugisDugdale& maugis, const MaugisState& s, LoadKind given) {
@@ -233,8 +233,8 @@ Pressed press_jkr(const AdhesiveSphere& sphere, const StaticLoad& load) {
   return result;
 }
 
-Pressed press_maugis(const AdhesiveSphere& sphere, double stress, const StaticLoad& load) {
-  const auto maugis = MaugisDugdale::of(sphere, stress);
+Pressed press_maugis(const AdhesiveSphere& sphere, const Adhesion& adhesion, const StaticLoad& load) {
+  const auto maugis = at(adhesion.place, [&] { return MaugisDugdale::of(sphere, *adhesion.stress); });
   const MaugisState state = state_of(maugis, load);
   Pressed result{{maugis_answer(maugis, state, load.kind), {}, {}}, state.contact_radius};
   try_beside(result, "jkr", [&] { return jkr_answer(sphere, load); });
@@ -245,9 +245,10 @@ Pressed press_maugis(const AdhesiveSphere& sphere, double stress, const StaticLo
 
 Pressed press_adhesive(double relative_radius, double contact_modulus, const PressScene& scene) {
   const auto& load = std::get<StaticLoad>(scene.load);
-  const auto sphere = AdhesiveSphere::of(relative_radius, contact_modulus, scene.adhesion->work);
-  Pressed result =
-      scene.adhesion->stress ? press_maugis(sphere, *scene.adhesion->stress, load) : press_jkr(sphere, load);
+  const Adhesion& adhesion = *scene.adhesion;
+  const auto sphere =
+      at(adhesion.place, [&] { return AdhesiveSphere::of(relative_radius, contact_modulus, adhesion.work); });
+  Pressed result = adhesion.stress ? press_maugis(sphere, adhesion, load) : press_jkr(sphere, load);
   try_beside(result, "dmt", [&] { return dmt_answer(sphere, load); });
   try_beside(result, "hertz", [&] { return hertz_answer(sphere, load); });
   add_bodies(result.answer.main.results, sphere);

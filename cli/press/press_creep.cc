@@ -34,7 +34,7 @@ ContactCreep creep_of(const BodyPair& pair) {
   const auto first = relaxing(pair.first);
   const auto second = relaxing(pair.second);
   if (first && second) return ContactCreep::between(*first, *second);
-  if (!first && !second) throw std::invalid_argument("bodies: two rigid bodies do not touch in an area");
+  if (!first && !second) throw std::invalid_argument("two rigid bodies do not touch in an area");
   return ContactCreep::against_rigid(first ? *first : *second);
 }
 
@@ -42,6 +42,7 @@ ContactCreep creep_of(const BodyPair& pair) {
 struct Moment {
   Estimate radius, approach, force;
   std::optional<Estimate> central_pressure;  // nothing where it is infinite, or not defined
+  bool stress_falls = true;                  // else the pressure may be negative somewhere (cycles.h)
 };
 
 template <class P>
@@ -51,6 +52,7 @@ class UnderForce {
       : profile_(profile),
         creep_(creep),
         force_(load.history),
+        times_(load.times_place),
         press_(contact::PressUnderForce<P>::of(profile, creep, load.history, last(load))) {}
 
   Moment at(double t) const {
@@ -67,8 +69,8 @@ class UnderForce {
   Estimate displacement(double r, double t) const {
     if (t > press_.grows_until()) {
       throw std::invalid_argument(fmt::format(
-          "profile.times: after {} s the contact shrinks, and the surface outside under a given force is not "
-          "covered; give the approach",
+          "after {} s the contact shrinks, and the surface outside under a given force is not covered; give the "
+          "approach",
           press_.grows_until()));
     }
     const double a = press_.radius(t);
@@ -120,8 +122,7 @@ class UnderForce {
         steps = std::max(steps, a_relaxation * duration / modes.front().time);
     }
     if (steps > most) {
-      throw std::invalid_argument(
-          fmt::format("load.times: {} s is too many swings or relaxation times after the start", t));
+      times_.refuse(fmt::format("{} s is too many swings or relaxation times after the start", t));
     }
     return static_cast<int>(steps);
   }
@@ -129,6 +130,7 @@ class UnderForce {
   P profile_;
   ContactCreep creep_;
   contact::History force_;
+  Place times_;
   contact::PressUnderForce<P> press_;
 };
 
@@ -143,6 +145,7 @@ class AtApproach {
     if (!zone.is_one_circle) throw std::runtime_error(fmt::format("load: at {} s the contact is not one circle", t));
     Moment moment{{zone.radius, 64 * unit * zone.radius}, {approach_(t), 0}, zone.force, std::nullopt};
     if (zone.radius > 0) moment.central_pressure = cycles_.pressure(0, t);
+    moment.stress_falls = zone.stress_falls;
     return moment;
   }
 
@@ -187,6 +190,28 @@ Table history_columns() {
           {}};
 }
 
+// Pressure and, where the load is a force, displacement along a line at the times of the request.
+template <class Press>
+Table surface_over_time(const Press& press, const ProfileRequest& request) {
+  constexpr bool knows_displacement = requires { press.displacement(0., 0.); };
+  Table table{{"t_s", "x_m", "pressure_Pa", "pressure_error_Pa"}, {}};
+  if (knows_displacement) table.columns.insert(table.columns.end(), {"displacement_m", "displacement_error_m"});
+  at(*request.place, [&] {
+    for (std::size_t k = 0; k < request.times->size(); ++k) {
+      const double t = (*request.times)[k];
+      const Sequence distance = request.distances(press.at(t).radius.value);
+      for (std::size_t i = 0; i < distance.size(); ++i) {
+        InterruptGuard::check();
+        const double r = distance[i];
+        auto& row = table.rows.emplace_back(std::vector{t, r});
+        push(row, press.pressure(r, t));
+        if constexpr (knows_displacement) push(row, press.displacement(r, t));
+      }
+    }
+  });
+  return table;
+}
+
 void say_rate(const ContactCreep& creep, std::vector<std::string>& head) {
   const auto& modes = creep.compliance.modes();
   if (modes.size() == 1) head.push_back(fmt::format("the contact creeps with alpha = {:.17g} 1/s", 1 / modes[0].time));
@@ -195,6 +220,10 @@ void say_rate(const ContactCreep& creep, std::vector<std::string>& head) {
 template <class P>
 PressedOverTime under_force(const P& profile, const ProfileName& name, const ContactCreep& creep, const TimedLoad& load,
                             const PressScene& scene) {
+  const double start = load.history.start();
+  if (load.times[0] < start || load.times[load.times.size() - 1] == start) {
+    load.times_place.refuse(fmt::format("times from {} s on, where the force starts, and one after it", start));
+  }
   const UnderForce<P> press(profile, creep, load);
   PressedOverTime result;
   say_rate(creep, result.head);
@@ -214,19 +243,7 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
                                     "Keppler 4.28 and 4.72, linear in F^(2/3): not the solution"});
   }
   if (scene.profile.times) {
-    result.table = {{"t_s", "x_m", "pressure_Pa", "pressure_error_Pa", "displacement_m", "displacement_error_m"}, {}};
-    for (std::size_t k = 0; k < scene.profile.times->size(); ++k) {
-      const double t = (*scene.profile.times)[k];
-      const double a = press.at(t).radius.value;
-      const Sequence distance = scene.profile.distance.value_or(Sequence::equal_steps(0, 2 * a, 201));
-      for (std::size_t i = 0; i < distance.size(); ++i) {
-        InterruptGuard::check();
-        const double r = distance[i];
-        const Estimate p = press.pressure(r, t);
-        const Estimate u = press.displacement(r, t);
-        result.table.rows.push_back({t, r, p.value, p.error, u.value, u.error});
-      }
-    }
+    result.table = surface_over_time(press, scene.profile);
     return result;
   }
   result.table = history_columns();
@@ -247,20 +264,15 @@ PressedOverTime at_approach(const P& profile, const ProfileName& name, const Con
   PressedOverTime result;
   say_rate(creep, result.head);
   const double last = load.times[load.times.size() - 1];
-  result.answer.main = {name.law, results_of(last, press.at(last)),
+  const Moment end = press.at(last);
+  if (!end.stress_falls) {
+    result.answer.warnings.push_back(
+        fmt::format("at {} s the stress of the springs does not fall outward: the pressure may be negative", last));
+  }
+  result.answer.main = {name.law, results_of(last, end),
                         name.remark + "; a foundation of independent springs in closed form, any number of cycles"};
   if (scene.profile.times) {
-    result.table = {{"t_s", "x_m", "pressure_Pa", "pressure_error_Pa"}, {}};
-    for (std::size_t k = 0; k < scene.profile.times->size(); ++k) {
-      const double t = (*scene.profile.times)[k];
-      const double a = press.at(t).radius.value;
-      const Sequence distance = scene.profile.distance.value_or(Sequence::equal_steps(0, 2 * a, 201));
-      for (std::size_t i = 0; i < distance.size(); ++i) {
-        InterruptGuard::check();
-        const Estimate p = press.pressure(distance[i], t);
-        result.table.rows.push_back({t, distance[i], p.value, p.error});
-      }
-    }
+    result.table = surface_over_time(press, scene.profile);
     return result;
   }
   result.table = history_columns();
@@ -274,9 +286,9 @@ PressedOverTime at_approach(const P& profile, const ProfileName& name, const Con
 PressedOverTime growing_ellipse(const contact::RelativeRadii& radii, const ContactCreep& creep, const TimedLoad& load,
                                 const PressScene& scene) {
   if (load.kind != LoadKind::normal_force) {
-    throw std::invalid_argument("load.approach: an ellipse over time is covered under a given force");
+    load.place.refuse("an ellipse over time is covered under a given force");
   }
-  if (scene.profile.times) throw std::invalid_argument("profile.times: not covered for an ellipse over time");
+  if (scene.profile.times) scene.profile.place->refuse("not covered for an ellipse over time");
   PressedOverTime result;
   say_rate(creep, result.head);
   result.table.columns = {"t_s", "normal_force_N", "approach_m", "semi_axis_a_m", "semi_axis_b_m"};
@@ -300,21 +312,24 @@ PressedOverTime growing_ellipse(const contact::RelativeRadii& radii, const Conta
 }  // namespace
 
 PressedOverTime press_over_time(const PressScene& scene) {
-  const auto* pair = std::get_if<BodyPair>(&scene.subject);
-  if (pair == nullptr) throw std::invalid_argument("load: [load] takes two bodies");
-  if (scene.adhesion) throw std::invalid_argument("adhesion: not covered together with [load]");
   const auto& load = std::get<TimedLoad>(scene.load);
-  const ContactCreep creep = creep_of(*pair);
-  const auto first = curved_surface(pair->first.shape);
-  const auto second = curved_surface(pair->second.shape);
-  if (first && second && !relative_radius_of(*pair)) {
-    const auto radii = contact::RelativeRadii::of_bodies(
-        {first->radii[0], first->radii[1]}, {second->radii[0], second->radii[1]}, second->direction - first->direction);
-    return growing_ellipse(radii, creep, load, scene);
-  }
-  return visit_profile(*pair, [&](auto profile, const ProfileName& name) {
-    return load.kind == LoadKind::normal_force ? under_force(profile, name, creep, load, scene)
-                                               : at_approach(profile, name, creep, load, scene);
+  const auto* pair = std::get_if<BodyPair>(&scene.subject);
+  if (pair == nullptr) load.place.refuse("[load] takes two bodies");
+  if (scene.adhesion) scene.adhesion->place.refuse("not covered together with [load]");
+  return at(scene.subject_place, [&] {
+    const ContactCreep creep = creep_of(*pair);
+    const auto first = curved_surface(pair->first.shape);
+    const auto second = curved_surface(pair->second.shape);
+    if (first && second && !relative_radius_of(*pair)) {
+      const auto radii = relative_radii_of(*first, *second);
+      return at(load.place, [&] { return growing_ellipse(radii, creep, load, scene); });
+    }
+    return visit_profile(*pair, [&](auto profile, const ProfileName& name) {
+      return at(load.place, [&] {
+        return load.kind == LoadKind::normal_force ? under_force(profile, name, creep, load, scene)
+                                                   : at_approach(profile, name, creep, load, scene);
+      });
+    });
   });
 }
 

@@ -21,13 +21,14 @@ using contact::RelativeRadii;
 
 HertzEllipse loaded(const StaticLoad& load, const RelativeRadii& radii, double modulus) {
   if (load.kind == LoadKind::contact_radius) {
-    throw std::invalid_argument("contact_radius: an ellipse has two; give normal_force or approach");
+    load.place.refuse("an ellipse has two; give normal_force or approach");
   }
   return load.kind == LoadKind::normal_force ? HertzEllipse::under_force(load.value, radii, modulus)
                                              : HertzEllipse::at_approach(load.value, radii, modulus);
 }
 
-// What rounding does to 1 - R_small/R_large and to the direction of a: the more, the closer to a circle.
+// What rounding, also that of the angle between the bodies, does to the relative radii, to 1 - R_small/R_large and to
+// the direction of a: to these the more, the closer to a circle; to R_large the more, the closer to a saddle.
 struct Direction {
   static Direction of(const CurvedSurface& first, const CurvedSurface& second, const RelativeRadii& radii) {
     const double turn = second.direction - first.direction;
@@ -35,15 +36,21 @@ struct Direction {
     const double differences =
         std::fabs(1 / first.radii[0] - 1 / first.radii[1]) + std::fabs(1 / second.radii[0] - 1 / second.radii[1]);
     const double noise = (0x1p-62 + unit * std::fabs(turn)) * differences * radii.small;
+    // d(det) = dp dm sin(2 alpha) d(alpha), and det = 1 / (R_small R_large).
+    const double turned_det = unit * std::fabs(turn) * std::fabs(1 / first.radii[0] - 1 / first.radii[1]) *
+                              std::fabs(1 / second.radii[0] - 1 / second.radii[1]) * radii.small * radii.large;
     const double angle = first.direction + radii.angle_a;
     const double turned = radii.one_minus_ratio > 0 ? noise / radii.one_minus_ratio : std::numbers::pi;
     return {angle, std::min(std::numbers::pi / 2, 2 * turned + unit * (std::numbers::pi + std::fabs(angle))),
-            1.01 * unit * radii.one_minus_ratio + noise};
+            1.01 * unit * radii.one_minus_ratio + noise, radii.small * (1.01 * unit + noise),
+            radii.large * (unit * radii.radius_units + noise + turned_det)};
   }
 
   double angle;        // of a [rad]
   double error;        // [rad]
   double ratio_error;  // of 1 - R_small/R_large
+  double small_error;  // of R_small [m]
+  double large_error;  // of R_large [m]
 };
 
 LawAnswer answer_of(const HertzEllipse& e, const StaticLoad& load, const RelativeRadii& radii, double modulus,
@@ -63,8 +70,8 @@ LawAnswer answer_of(const HertzEllipse& e, const StaticLoad& load, const Relativ
       bounded("peak_pressure", e.peak_pressure, "Pa"),
       bounded("stiffness", e.stiffness, "N/m"),
       {"angle_of_a", direction.angle, direction.error, "rad"},
-      within("radius_large", radii.large, 1.01, "m"),
-      within("radius_small", radii.small, 1.01, "m"),
+      {"radius_large", radii.large, direction.large_error, "m"},
+      {"radius_small", radii.small, direction.small_error, "m"},
       {"one_minus_radius_ratio", radii.one_minus_ratio, direction.ratio_error, "1"},
       within("contact_modulus", modulus, 1.01, "Pa")};
   return answer;
@@ -112,10 +119,14 @@ std::optional<CurvedSurface> curved_surface(const Shape& shape) {
   return std::nullopt;
 }
 
+RelativeRadii relative_radii_of(const CurvedSurface& first, const CurvedSurface& second) {
+  return RelativeRadii::of_bodies({first.radii[0], first.radii[1]}, {second.radii[0], second.radii[1]},
+                                  second.direction - first.direction);
+}
+
 Pressed press_ellipse(const CurvedSurface& first, const CurvedSurface& second, double modulus,
                       const PressScene& scene) {
-  const auto radii = RelativeRadii::of_bodies({first.radii[0], first.radii[1]}, {second.radii[0], second.radii[1]},
-                                              second.direction - first.direction);
+  const RelativeRadii radii = at(scene.subject_place, [&] { return relative_radii_of(first, second); });
   const auto& load = std::get<StaticLoad>(scene.load);
   const HertzEllipse e = loaded(load, radii, modulus);
   const auto direction = Direction::of(first, second, radii);

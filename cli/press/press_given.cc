@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <type_traits>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <patchgrip/cli/press/rounding.h>
+#include <patchgrip/contact/falling_root.h>
 #include <patchgrip/contact/fingertip/power_law.h>
 #include <patchgrip/contact/fingertip/winkler.h>
 #include <patchgrip/contact/fingertip/xydas_kao.h>
@@ -23,7 +21,7 @@ namespace {
 
 double force_of(const PressScene& scene) {
   const auto& load = std::get<StaticLoad>(scene.load);
-  if (load.kind != LoadKind::normal_force) throw std::invalid_argument("contact: this law takes 'normal_force'");
+  if (load.kind != LoadKind::normal_force) load.place.refuse("this law takes 'normal_force'");
   return load.value;
 }
 
@@ -112,10 +110,10 @@ Pressed press_power_law(std::string name, double alpha, const Estimate& force, c
                        p, relative + 4 * unit);
 }
 
-// a = c F^gamma for c and gamma right to so many units.
+// a = c F^gamma for c (relative) and gamma (absolute) right to so many units.
 Estimate radius_of(const contact::PowerLaw& law, double force, double units) {
   const double a = law.contact_radius(force);
-  return {a, (4 + units * (1 + std::fabs(law.gamma * std::log(force)))) * unit * a};
+  return {a, (4 + units * (1 + std::fabs(std::log(force)))) * unit * a};
 }
 
 // F = 2 pi c h^2 [y - ln(1 + y)], y = delta/h, h = R - delta (winkler.h), and its derivatives. p = c (1 - g) g falls
@@ -129,28 +127,20 @@ double winkler_bend(const contact::WinklerFingertip& bed, double delta) {  // -F
   return 2 * std::numbers::pi * bed.spring_modulus * (2 * std::log1p(delta / (bed.tip_radius - delta)) - 1);
 }
 
-double deepest_of(const contact::WinklerFingertip& bed) {
-  std::uintmax_t steps = 100;
-  const auto [lo, hi] =
-      boost::math::tools::toms748_solve([&](double delta) { return winkler_slope(bed, delta); }, 0.6 * bed.tip_radius,
-                                        0.9 * bed.tip_radius, boost::math::tools::eps_tolerance<double>(52), steps);
-  return lo + (hi - lo) / 2;
-}
+// F' = 0 where ln(1 + y) = y/2: delta / R = y / (1 + y).
+constexpr double deepest_share = 0.71533186295916153832;
 
 // delta on the branch that rises.
 Estimate winkler_approach(const contact::WinklerFingertip& bed, double force) {
-  const double deepest = deepest_of(bed);
+  const double deepest = deepest_share * bed.tip_radius;
   const double most = bed.normal_force(deepest);
   if (force > most) {
-    throw std::invalid_argument(
-        fmt::format("normal_force = {} is not allowed: the bed carries at most {} N", force, most));
+    throw std::invalid_argument(fmt::format("the bed carries at most {} N", most));
   }
   if (force == most) return {deepest, std::sqrt(16 * unit * most / winkler_bend(bed, deepest))};
-  std::uintmax_t steps = 200;
-  const auto [lo, hi] = boost::math::tools::toms748_solve(
-      [&](double log_delta) { return std::log(bed.normal_force(std::exp(log_delta)) / force); },
-      std::log(1e-150 * bed.tip_radius), std::log(deepest), boost::math::tools::eps_tolerance<double>(52), steps);
-  const double delta = std::exp((lo + hi) / 2);
+  const auto lacking = [&](double delta) { return force - bed.normal_force(delta); };
+  const double least = std::sqrt(force / (std::numbers::pi * bed.spring_modulus));  // F < pi c delta^2
+  const double delta = contact::falling_root(lacking, std::min(least, deepest), deepest);
   // The force at delta is as far off as is seen, and as it is rounded. Where it falls short of a straight line, F''
   // limits the way to the root.
   const double missed = std::fabs(bed.normal_force(delta) - force) + 4 * unit * force;
@@ -164,7 +154,7 @@ Estimate winkler_approach(const contact::WinklerFingertip& bed, double force) {
 
 Pressed press_given_pressure(const GivenPressure& given, const PressScene& scene) {
   const double force = force_of(scene);
-  const RoundPatch patch = round_patch(given.patch, force);
+  const RoundPatch patch = at(scene.subject_place, [&] { return round_patch(given.patch, force); });
   const auto inverse = std::make_shared<const contact::RoundPressure>(
       contact::RoundPressure::of(patch.radius, given.contact_modulus, patch.pressure));
   const auto approach = inverse->displacement(0);
@@ -187,9 +177,9 @@ Pressed press_given_pressure(const GivenPressure& given, const PressScene& scene
 }
 
 Pressed press_fingertip(const PowerLawFingertip& tip, const PressScene& scene) {
-  const auto law = contact::PowerLaw::of(tip.coefficient, tip.exponent);
+  const auto law = at(scene.subject_place, [&] { return contact::PowerLaw::of(tip.coefficient, tip.exponent); });
   const auto& load = std::get<StaticLoad>(scene.load);
-  if (load.kind == LoadKind::approach) throw std::invalid_argument("approach: the power law says nothing of it");
+  if (load.kind == LoadKind::approach) load.place.refuse("the power law says nothing of it");
   Estimate force{load.value, 0};
   Estimate radius{load.value, 0};
   if (load.kind == LoadKind::normal_force) {
@@ -210,24 +200,26 @@ Pressed press_fingertip(const PowerLawFingertip& tip, const PressScene& scene) {
 Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
   std::vector<contact::MeasuredRadius> points;
   for (const auto& [force, radius] : tip.points) points.push_back({force, radius});
-  const auto fit = contact::PowerLawFit::to(points);
+  const auto fit = at(scene.subject_place, [&] { return contact::PowerLawFit::to(points); });
   const double force = force_of(scene);
-  constexpr double units = 64;
-  Pressed result = press_power_law("power_law_fit", tip.alpha, {force, 0}, radius_of(fit.law, force, units),
+  Pressed result = press_power_law("power_law_fit", tip.alpha, {force, 0}, radius_of(fit.law, force, fit.error_units),
                                    "least squares of ln a on ln F; limits by Student's t");
-  const auto add = [&](const char* name, double value, const char* of) {
-    result.answer.main.results.push_back(within(name, value, units, of));
-  };
-  add("c", fit.law.c, "m N^-gamma");
-  add("gamma", fit.law.gamma, "1");
-  add("rms_log", fit.rms_log, "1");
+  const double off = fit.error_units * unit;  // of gamma, ln c and what is left of ln a
+  auto& results = result.answer.main.results;
+  results.push_back({"c", fit.law.c, off * fit.law.c, "m N^-gamma"});
+  results.push_back({"gamma", fit.law.gamma, off, "1"});
+  results.push_back({"rms_log", fit.rms_log, off * (1 + fit.log_range), "1"});
   if (fit.points > 2) {
     const auto gamma = fit.gamma_limits(tip.confidence);
     const auto c = fit.c_limits(tip.confidence);
-    add("gamma_low", gamma.low, "1");
-    add("gamma_high", gamma.high, "1");
-    add("c_low", c.low, "m N^-gamma");
-    add("c_high", c.high, "m N^-gamma");
+    // The half-widths are Student's factor times the spreads, and those follow the rms.
+    const double rms = fit.rms_log > 0 ? off * (1 + fit.log_range) / fit.rms_log + 16 * unit : 0;
+    const double gamma_error = off + rms * (gamma.high - fit.law.gamma) + unit * fit.law.gamma;
+    const double c_error = off + rms * std::log(c.high / fit.law.c) + 16 * unit;
+    results.push_back({"gamma_low", gamma.low, gamma_error, "1"});
+    results.push_back({"gamma_high", gamma.high, gamma_error, "1"});
+    results.push_back({"c_low", c.low, c_error * c.low, "m N^-gamma"});
+    results.push_back({"c_high", c.high, c_error * c.high, "m N^-gamma"});
   } else {
     result.answer.warnings.emplace_back("two points fix the line: no confidence limits");
   }
@@ -235,10 +227,10 @@ Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
 }
 
 Pressed press_fingertip(const WinklerFingertip& tip, const PressScene& scene) {
-  const auto bed = contact::WinklerFingertip::of(tip.radius, tip.bed);
+  const auto bed = at(scene.subject_place, [&] { return contact::WinklerFingertip::of(tip.radius, tip.bed); });
   const auto& load = std::get<StaticLoad>(scene.load);
   if (load.kind == LoadKind::contact_radius) {
-    throw std::invalid_argument("contact_radius: the bed takes 'normal_force' or 'approach'");
+    load.place.refuse("the bed takes 'normal_force' or 'approach'");
   }
   const bool by_force = load.kind == LoadKind::normal_force;
   const Estimate approach = by_force ? winkler_approach(bed, load.value) : Estimate{load.value, 0};

@@ -24,7 +24,7 @@ using contact::PressedHalfSpace;
 
 contact::HeightMap read_map(const HeightMapFile& file) {
   std::ifstream in(file.path);
-  if (!in) throw std::invalid_argument(fmt::format("height_map: {} cannot be read", file.path.string()));
+  if (!in) file.place.refuse("cannot be read");
   return contact::HeightMap::read(in, file.path.string());
 }
 
@@ -57,7 +57,7 @@ Gap gap_of(const HeightMapFile& file, const CurvedSurface& other) {
 
 contact::Press press_of(const StaticLoad& load) {
   if (load.kind == LoadKind::contact_radius) {
-    throw std::invalid_argument("contact_radius: a height map takes 'normal_force' or 'approach'");
+    load.place.refuse("a height map takes 'normal_force' or 'approach'");
   }
   return load.kind == LoadKind::normal_force ? contact::Press::by_force(load.value)
                                              : contact::Press::by_approach(load.value);
@@ -122,12 +122,12 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
   const HeightMapFile& file = *height_map_of(pair);
   const bool first = std::holds_alternative<HeightMapFile>(pair.first.shape);
   const auto other = curved_surface(first ? pair.second.shape : pair.first.shape);
-  if (!other) throw std::invalid_argument("bodies: a height map presses on a plane, a ball or a curved body");
+  if (!other) scene.subject_place.refuse("a height map presses on a plane, a ball or a curved body");
   if (file.periodic && !std::holds_alternative<Plane>(first ? pair.second.shape : pair.first.shape)) {
-    throw std::invalid_argument("bodies: a periodic height map presses on a plane");
+    scene.subject_place.refuse("a periodic height map presses on a plane");
   }
   const auto surface = file.periodic ? contact::Surface::periodic : contact::Surface::free;
-  const Gap gap = gap_of(file, *other);
+  const Gap gap = at(file.place, [&] { return gap_of(file, *other); });
 
   contact::PressSettings settings;
   constexpr int no_output = -1;  // nothing is written while it runs

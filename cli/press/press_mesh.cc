@@ -34,18 +34,20 @@ contact::Vector point_of(const MeshSurface& surface) {
 double radius_of(const Shape& shape) {
   if (std::holds_alternative<Plane>(shape)) return std::numeric_limits<double>::infinity();
   if (const auto* ball = std::get_if<Ball>(&shape)) return ball->radius;
-  throw std::invalid_argument("bodies: a mesh presses on a ball, a hollow, a plane or another mesh");
+  throw std::invalid_argument("a mesh presses on a ball, a hollow, a plane or another mesh");
 }
 
-MeshContact contact_of(const BodyPair& pair) {
+MeshContact contact_of(const BodyPair& pair, const Place& bodies) {
   const auto* first = std::get_if<MeshSurface>(&pair.first.shape);
   const auto* second = std::get_if<MeshSurface>(&pair.second.shape);
-  if (first != nullptr && second != nullptr) {
-    return MeshContact::between(read_mesh(*first), read_mesh(*second), point_of(*first));
-  }
   const MeshSurface& mesh = first != nullptr ? *first : *second;
-  return MeshContact::with_ball(read_mesh(mesh), radius_of(first != nullptr ? pair.second.shape : pair.first.shape),
-                                point_of(mesh));
+  const auto read = [](const MeshSurface& m) { return at(m.place, [&] { return read_mesh(m); }); };
+  if (first != nullptr && second != nullptr) {
+    return at(bodies, [&] { return MeshContact::between(read(*first), read(*second), point_of(*first)); });
+  }
+  const Shape& other = first != nullptr ? pair.second.shape : pair.first.shape;
+  const double radius = at(bodies, [&] { return radius_of(other); });
+  return at(mesh.place, [&] { return MeshContact::with_ball(read_mesh(mesh), radius, point_of(mesh)); });
 }
 
 }  // namespace
@@ -57,8 +59,8 @@ bool has_mesh(const BodyPair& pair) {
 
 Pressed press_mesh(const BodyPair& pair, double modulus, const PressScene& scene) {
   const auto& load = std::get<StaticLoad>(scene.load);
-  if (load.kind != LoadKind::normal_force) throw std::invalid_argument("bodies: a mesh takes 'normal_force'");
-  const MeshContact contact = contact_of(pair);
+  if (load.kind != LoadKind::normal_force) load.place.refuse("a mesh takes 'normal_force'");
+  const MeshContact contact = contact_of(pair, scene.subject_place);
   const auto pressed = contact.under_force(load.value, modulus);
   const auto& e = pressed.ellipse;
   // delta = (3/2) F / stiffness.

@@ -114,10 +114,10 @@ void try_beside(Pressed& pressed, const std::string& law, P profile, const Stati
   }
 }
 
-double value_of(const LawAnswer& law, std::string_view name) {
-  const auto found = std::ranges::find(law.results, name, &Result::name);
-  if (found == law.results.end()) throw std::logic_error("no such quantity");
-  return found->value;
+// Of a quantity that both laws have: by how much the other one is larger [%].
+double change(const LawAnswer& law, const LawAnswer& other, std::string_view name) {
+  const auto value = [name](const LawAnswer& of) { return std::ranges::find(of.results, name, &Result::name)->value; };
+  return 100 * (value(other) / value(law) - 1);
 }
 
 void warn_of_infinite_pressure(Pressed& pressed) {
@@ -144,7 +144,7 @@ void add_other_spheres(Pressed& pressed, const SphereStamp& stamp, const StaticL
 
 Pressed press_flat_punch(const FlatPunchStamp& stamp, const StaticLoad& load, double modulus) {
   if (load.kind == LoadKind::contact_radius) {
-    throw std::invalid_argument("contact_radius: a flat punch has its own; give normal_force or approach");
+    load.place.refuse("a flat punch has its own; give normal_force or approach");
   }
   const auto punch = load.kind == LoadKind::normal_force
                          ? contact::FlatPunch::under_force(stamp.radius, load.value, modulus)
@@ -215,14 +215,14 @@ Pressed press_balls(const BodyPair& pair, const PressScene& scene) {
   const double ratio = result.extent / radius;
   if (ratio > narrow) {
     std::string warning = fmt::format("a/R = {:.3g} is not small", ratio);
-    if (!result.answer.beside.empty()) {
-      const LawAnswer& sphere = result.answer.beside.front();
+    const auto sphere = std::ranges::find(result.answer.beside, "sphere", &LawAnswer::law);
+    if (sphere != result.answer.beside.end()) {
+      const LawAnswer& hertz = result.answer.main;
       warning += fmt::format(
           ": with the height of a sphere instead of its paraboloid force, approach and radius change by "
           "{:+.2g} %, {:+.2g} % and {:+.2g} %",
-          100 * (value_of(sphere, "normal_force") / value_of(result.answer.main, "normal_force") - 1),
-          100 * (value_of(sphere, "approach") / value_of(result.answer.main, "approach") - 1),
-          100 * (value_of(sphere, "contact_radius") / value_of(result.answer.main, "contact_radius") - 1));
+          change(hertz, *sphere, "normal_force"), change(hertz, *sphere, "approach"),
+          change(hertz, *sphere, "contact_radius"));
     }
     result.answer.warnings.push_back(warning + "; slopes and strains of that order are outside the half-space theory");
   }

@@ -27,6 +27,10 @@ constexpr Quantity time_range = non_negative("a time in s");
 constexpr std::size_t most_points = 100'000;
 
 constexpr std::array<std::string_view, 3> load_names{"normal_force", "approach", "contact_radius"};
+constexpr std::array<std::string_view, 5> sweep_names{"normal_force", "approach", "contact_radius", "radii_ratio",
+                                                      "mu"};
+
+std::string_view name_of(SweepKind kind) { return sweep_names[static_cast<std::size_t>(kind)]; }
 
 const Quantity& range_of(LoadKind kind, bool adhesive) {
   if (kind == LoadKind::normal_force) return adhesive ? adhesive_force_range : force_range;
@@ -52,6 +56,7 @@ std::vector<std::array<double, 2>> read_pairs(const TomlReader& table, std::stri
 struct Described {
   Subject subject;
   std::vector<std::string> notes;
+  Place place;
 };
 
 Described read_bodies(const TomlReader& contact, const MaterialLibrary& materials) {
@@ -59,14 +64,15 @@ Described read_bodies(const TomlReader& contact, const MaterialLibrary& material
                         "not used beside 'bodies'; give bodies, a patch or a fingertip");
   BodyPair pair = read_two_bodies(contact, "bodies", materials);
   std::vector<std::string> notes{"body A: " + pair.first.words, "body B: " + pair.second.words};
-  return {std::move(pair), std::move(notes)};
+  return {std::move(pair), std::move(notes), contact.place("bodies")};
 }
 
 Described read_given_pressure(const TomlReader& contact) {
   DescribedPatch patch = read_patch(contact);
   const double modulus = contact.number("contact_modulus", positive("the contact modulus E* in Pa"));
   return {GivenPressure{std::move(patch.patch), modulus},
-          {std::move(patch.words), fmt::format("contact modulus {} Pa", modulus)}};
+          {std::move(patch.words), fmt::format("contact modulus {} Pa", modulus)},
+          contact.place("patch")};
 }
 
 Described read_fingertip(const TomlReader& contact) {
@@ -81,20 +87,23 @@ Described read_fingertip(const TomlReader& contact) {
                              radius_range);
     const double confidence = tip.has("confidence") ? tip.number("confidence", {"a confidence", 0.01, 0.9999}) : 0.95;
     std::string note = fmt::format("fingertip measured at {} points", points.size());
-    return {MeasuredFingertip{std::move(points), confidence, alpha()}, {std::move(note)}};
+    return {MeasuredFingertip{std::move(points), confidence, alpha()}, {std::move(note)}, tip.place("measured")};
   }
   if (tip.has("bed_modulus")) {
     tip.refuse_others({"bed_modulus", "radius"}, "not used beside 'bed_modulus'");
     const WinklerFingertip bed{tip.number("radius", positive("the radius of the fingertip in m")),
                                tip.number("bed_modulus", positive("the modulus c of the bed in Pa"))};
-    return {bed, {fmt::format("fingertip of radius {} m on a Winkler bed, c = {} Pa", bed.radius, bed.bed)}};
+    return {
+        bed, {fmt::format("fingertip of radius {} m on a Winkler bed, c = {} Pa", bed.radius, bed.bed)}, tip.place()};
   }
   if (!tip.has("coefficient"))
     tip.refuse_table("needs 'coefficient' and 'exponent', 'measured', or 'bed_modulus' and 'radius'");
   tip.refuse_others({"coefficient", "exponent", "alpha"}, "not used beside 'coefficient'");
   const PowerLawFingertip law{tip.number("coefficient", positive("the coefficient c of a = c F^gamma in m N^-gamma")),
                               tip.number("exponent", {"the exponent gamma of a = c F^gamma", 0.01, 1}), alpha()};
-  return {law, {fmt::format("fingertip with a = {} F^{}, alpha = {}", law.coefficient, law.exponent, law.alpha)}};
+  return {law,
+          {fmt::format("fingertip with a = {} F^{}, alpha = {}", law.coefficient, law.exponent, law.alpha)},
+          tip.place()};
 }
 
 Described read_subject(const TomlReader& contact, const MaterialLibrary& materials) {
@@ -112,7 +121,7 @@ std::optional<StaticLoad> read_static_load(const TomlReader& contact, bool adhes
     if (!contact.has(load_names[i])) continue;
     if (load) contact.refuse(load_names[i], "one of 'normal_force', 'approach' and 'contact_radius'");
     const auto kind = static_cast<LoadKind>(i);
-    load = StaticLoad{kind, contact.number(load_names[i], range_of(kind, adhesive))};
+    load = StaticLoad{kind, contact.number(load_names[i], range_of(kind, adhesive)), contact.place(load_names[i])};
   }
   return load;
 }
@@ -131,20 +140,22 @@ contact::History read_sine(const TomlReader& load) {
   const double mean = sine.number("mean", force_range);
   const double swing = sine.number("swing", {"a swing relative to the mean", 0, 1});
   const double frequency = sine.number("angular_frequency", positive("an angular frequency in rad/s"));
-  return contact::History::sine(mean, swing, frequency);
+  return made(load, "sine", [&] { return contact::History::sine(mean, swing, frequency); });
 }
 
 contact::History read_half_sine(const TomlReader& load) {
   const TomlReader sine = load.table("half_sine", {"peak", "angular_frequency"});
   const double peak = sine.number("peak", force_range);
-  return contact::History::half_sine(peak, sine.number("angular_frequency", positive("an angular frequency in rad/s")));
+  const double frequency = sine.number("angular_frequency", positive("an angular frequency in rad/s"));
+  return made(load, "half_sine", [&] { return contact::History::half_sine(peak, frequency); });
 }
 
 TimedLoad read_timed_load(const TomlReader& scene) {
   const TomlReader load = scene.table("load", {"normal_force", "approach", "sine", "half_sine", "times"});
   constexpr std::array<std::string_view, 4> forms{"normal_force", "approach", "sine", "half_sine"};
-  const auto given = std::ranges::count_if(forms, [&](std::string_view form) { return load.has(form); });
-  if (given != 1) load.refuse_table("needs one of 'normal_force', 'approach', 'sine' and 'half_sine'");
+  const auto has = [&](std::string_view form) { return load.has(form); };
+  if (std::ranges::count_if(forms, has) != 1)
+    load.refuse_table("needs one of 'normal_force', 'approach', 'sine' and 'half_sine'");
   Sequence times = read_sequence(load, "times", time_range);
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (!(times[i] > times[i - 1])) load.refuse("times", "times in s, each later than the one before");
@@ -152,19 +163,22 @@ TimedLoad read_timed_load(const TomlReader& scene) {
   constexpr Quantity forces = non_negative("a force in N");
   constexpr Quantity approaches = non_negative("an approach in m");
   if (load.has("approach")) {
-    return {LoadKind::approach, read_points(load, "approach", approaches), std::move(times)};
+    return {LoadKind::approach, read_points(load, "approach", approaches), std::move(times), load.place("approach"),
+            load.place("times")};
   }
   contact::History history = load.has("sine")        ? read_sine(load)
                              : load.has("half_sine") ? read_half_sine(load)
                                                      : read_points(load, "normal_force", forces);
-  return {LoadKind::normal_force, std::move(history), std::move(times)};
+  return {LoadKind::normal_force, std::move(history), std::move(times), load.place(*std::ranges::find_if(forms, has)),
+          load.place("times")};
 }
 
 // --- what else acts, and what is asked for
 
 Adhesion read_adhesion(const TomlReader& scene) {
   const TomlReader table = scene.table("adhesion", {"work", "stress", "equilibrium_distance"});
-  Adhesion adhesion{table.number("work", positive("the work of adhesion w in J/m^2")), std::nullopt};
+  Adhesion adhesion{table.number("work", positive("the work of adhesion w in J/m^2")), std::nullopt,
+                    scene.place("adhesion")};
   if (table.has("stress") && table.has("equilibrium_distance")) {
     table.refuse("stress", "give either 'stress' or 'equilibrium_distance'");
   }
@@ -172,7 +186,8 @@ Adhesion read_adhesion(const TomlReader& scene) {
     adhesion.stress = table.number("stress", positive("the stress sigma_0 of the attraction in Pa"));
   if (table.has("equilibrium_distance")) {
     const double distance = table.number("equilibrium_distance", positive("the distance z_0 in m"));
-    adhesion.stress = contact::lennard_jones_attraction(adhesion.work, distance);
+    adhesion.stress =
+        made(table, "equilibrium_distance", [&] { return contact::lennard_jones_attraction(adhesion.work, distance); });
   }
   return adhesion;
 }
@@ -180,6 +195,7 @@ Adhesion read_adhesion(const TomlReader& scene) {
 ProfileRequest read_profile(const TomlReader& scene) {
   const TomlReader table = scene.table("profile", {"distance", "angle", "times"});
   ProfileRequest profile;
+  profile.place = table.has("times") ? table.place("times") : scene.place("profile");
   if (table.has("distance")) profile.distance = read_sequence(table, "distance", non_negative("a distance in m"));
   if (table.has("angle")) profile.angle = table.number("angle", {"an angle in rad", smallest_size, 1e3, true, true});
   if (table.has("times")) profile.times = read_sequence(table, "times", time_range);
@@ -187,17 +203,16 @@ ProfileRequest read_profile(const TomlReader& scene) {
 }
 
 Sweep read_sweep(const TomlReader& scene, bool adhesive) {
-  constexpr std::array<std::string_view, 5> names{"normal_force", "approach", "contact_radius", "radii_ratio", "mu"};
   const TomlReader table = scene.table("sweep", {"normal_force", "approach", "contact_radius", "radii_ratio", "mu"});
   std::optional<Sweep> sweep;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!table.has(names[i])) continue;
-    if (sweep) table.refuse(names[i], "one quantity is swept at a time");
+  for (std::size_t i = 0; i < sweep_names.size(); ++i) {
+    if (!table.has(sweep_names[i])) continue;
+    if (sweep) table.refuse(sweep_names[i], "one quantity is swept at a time");
     const auto kind = static_cast<SweepKind>(i);
     const Quantity range = kind == SweepKind::radii_ratio ? Quantity{"a ratio of the radii R_small / R_large", 1e-12, 1}
                            : kind == SweepKind::mu        ? positive("a coefficient of friction")
                                                           : range_of(static_cast<LoadKind>(i), adhesive);
-    sweep = Sweep{kind, read_sequence(table, names[i], range)};
+    sweep = Sweep{kind, read_sequence(table, sweep_names[i], range), table.place(sweep_names[i])};
   }
   if (!sweep) table.refuse_table("needs one of 'normal_force', 'approach', 'contact_radius', 'radii_ratio' and 'mu'");
   return *std::move(sweep);
@@ -246,7 +261,7 @@ PressScene read_press_scene(const TomlDocument& document, const MaterialLibrary&
   } else if (static_load) {
     load = *static_load;
   } else if (sweep && sweep->kind <= SweepKind::contact_radius) {
-    load = StaticLoad{static_cast<LoadKind>(sweep->kind), sweep->values[0]};
+    load = StaticLoad{static_cast<LoadKind>(sweep->kind), sweep->values[0], sweep->place};
   } else {
     contact.refuse_table("needs 'normal_force', 'approach' or 'contact_radius', or a table [load]");
   }
@@ -254,6 +269,7 @@ PressScene read_press_scene(const TomlDocument& document, const MaterialLibrary&
   PressScene press{scene.has("title") ? scene.text("title") : "",
                    std::move(described.notes),
                    std::move(described.subject),
+                   std::move(described.place),
                    std::move(load),
                    adhesion,
                    std::nullopt,
@@ -265,21 +281,31 @@ PressScene read_press_scene(const TomlDocument& document, const MaterialLibrary&
   return press;
 }
 
-PressScene at_sweep_value(PressScene scene, double value) {
-  switch (scene.sweep->kind) {
+const Place& load_place(const PressScene& scene) {
+  return std::visit([](const auto& load) -> const Place& { return load.place; }, scene.load);
+}
+
+PressScene at_sweep_value(PressScene scene, std::size_t index) {
+  const Sweep& sweep = *scene.sweep;
+  const double value = sweep.values[index];
+  auto& load = std::get<StaticLoad>(scene.load);
+  load.place = {sweep.place.file, sweep.place.line,
+                fmt::format("sweep.{}[{}] = {}", name_of(sweep.kind), index, value)};
+  switch (sweep.kind) {
     case SweepKind::radii_ratio: {
       auto& radii = std::get<CurvedSurface>(std::get<BodyPair>(scene.subject).first.shape).radii;
       const double large = std::max(radii[0], radii[1]);
       radii = radii[0] >= radii[1] ? std::array{large, value * large} : std::array{value * large, large};
-      return scene;
+      break;
     }
     case SweepKind::mu:
       scene.mu = value;
-      return scene;
+      break;
     default:
-      scene.load = StaticLoad{static_cast<LoadKind>(scene.sweep->kind), value};
-      return scene;
+      load.kind = static_cast<LoadKind>(sweep.kind);
+      load.value = value;
   }
+  return scene;
 }
 
 }  // namespace patchgrip::cli

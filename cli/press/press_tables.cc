@@ -1,16 +1,15 @@
 #include <patchgrip/cli/press/press_tables.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include <patchgrip/cli/interrupt.h>
 
 namespace patchgrip::cli {
 namespace {
-
-constexpr std::size_t default_steps = 200;
 
 std::string with_unit(const std::string& name, const std::string& unit) {
   if (unit == "1") return name;
@@ -39,9 +38,9 @@ void add_law(Table& table, std::vector<double>& row, const LawAnswer& law, const
 
 Table surface_table(const PressScene& scene, const Pressed& pressed) {
   if (pressed.map && !scene.profile.distance) return *pressed.map;
-  if (!pressed.surface) throw std::invalid_argument("profile: this law says nothing about the surface");
-  const Sequence distance =
-      scene.profile.distance.value_or(Sequence::equal_steps(0, 2 * pressed.extent, default_steps + 1));
+  const Place& place = scene.profile.place ? *scene.profile.place : load_place(scene);
+  if (!pressed.surface) place.refuse(fmt::format("{} says nothing about the surface", pressed.answer.main.law));
+  const Sequence distance = scene.profile.distances(pressed.extent);
   Table table{{"x_m", "y_m", "pressure_Pa", "pressure_error_Pa"}, {}};
   if (pressed.knows_displacement) {
     for (const char* column : {"displacement_m", "displacement_error_m", "gap_m", "gap_error_m"}) {
@@ -55,7 +54,7 @@ Table surface_table(const PressScene& scene, const Pressed& pressed) {
     InterruptGuard::check();
     const double x = distance[i] * along_x;
     const double y = distance[i] * along_y;
-    const SurfacePoint s = pressed.surface(x, y);
+    const SurfacePoint s = at(place, [&] { return pressed.surface(x, y); });
     auto& row = table.rows.emplace_back(std::vector{x, y, s.pressure.value, s.pressure.error});
     if (pressed.knows_displacement) {
       for (const Estimate& b : {s.displacement, s.gap}) row.insert(row.end(), {b.value, b.error});
@@ -72,7 +71,7 @@ Table sweep_table(const PressScene& scene) {
   for (std::size_t i = 0; i < scene.sweep->values.size(); ++i) {
     InterruptGuard::check();
     const double value = scene.sweep->values[i];
-    const Answer answer = press(at_sweep_value(scene, value)).answer;
+    const Answer answer = press(at_sweep_value(scene, i)).answer;
     std::vector<double> row{value};
     add_law(table, row, answer.main, "");
     for (const LawAnswer& law : answer.beside) add_law(table, row, law, law.law + "_");

@@ -54,11 +54,9 @@ void run_press(const PressFiles& files, const MaterialLibrary& materials) {
   const PressScene scene = read_press_scene(TomlDocument::read(files.scene), materials);
   const Written result = [&] {
     try {
-      return written(files, scene);
-    } catch (const std::logic_error& error) {  // what the library refuses
-      throw SceneError(files.scene, 0, error.what());
-    } catch (const std::range_error& error) {
-      throw SceneError(files.scene, 0, error.what());
+      return at(load_place(scene), [&] { return written(files, scene); });
+    } catch (const SceneError&) {
+      throw;
     } catch (const std::runtime_error& error) {
       throw Unanswered(printable(files.scene, std::string::npos) + ": " + error.what());
     }

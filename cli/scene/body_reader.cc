@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,16 @@
 
 namespace patchgrip::cli {
 namespace {
+
+constexpr std::array<std::string_view, 4> material_keys{"material", "youngs_modulus", "poisson_ratio", "rigid"};
+
+template <std::size_t... N>
+constexpr auto joined(const std::array<std::string_view, N>&... parts) {
+  std::array<std::string_view, (N + ...)> all;
+  auto end = all.begin();
+  ((end = std::ranges::copy(parts, end).out), ...);
+  return all;
+}
 
 contact::Material named_material(const TomlReader& body, const MaterialLibrary& materials) {
   const std::string name = body.text("material");
@@ -68,18 +80,14 @@ Body read_body(const TomlReader& body, const MaterialLibrary& materials) {
   DescribedShape shape = read_shape(body);
   BodyMaterial material = read_material_of(body, materials);
   std::string words = shape.words + ", " + material.words;
-  return {std::move(shape.shape), material.elastic, std::move(material.relaxing), std::move(words)};
+  return {std::move(shape.shape), material.elastic, std::move(material.relaxing), std::move(words), body.place()};
 }
 
 }  // namespace
 
 BodyPair read_two_bodies(const TomlReader& contact, std::string_view key, const MaterialLibrary& materials) {
-  const auto bodies = contact.tables(
-      key,
-      {"radius",        "plane",       "concave",          "radii",        "cylinder",   "direction",  "stamp",
-       "slope",         "coefficient", "exponent",         "terms",        "end_radius", "points",     "mesh",
-       "point",         "unit",        "height_map",       "cell",         "periodic",   "material",   "youngs_modulus",
-       "poisson_ratio", "rigid",       "poynting_thomson", "kelvin_voigt", "maxwell",    "relaxation", "creep"});
+  static constexpr auto keys = joined(shape_keys, material_keys, relaxation_keys);
+  const auto bodies = contact.tables(key, keys);
   if (bodies.size() != 2) {
     contact.refuse(key, fmt::format("two bodies, each under [[{}]], not {}", contact.full_name(key), bodies.size()));
   }

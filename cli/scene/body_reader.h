@@ -18,6 +18,7 @@ struct Body {
   contact::Material material;                             // elastic, or as it answers at once
   std::optional<contact::ViscoelasticMaterial> relaxing;  // where it creeps
   std::string words;
+  Place place;  // its table
 };
 
 struct BodyPair {

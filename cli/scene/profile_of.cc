@@ -36,7 +36,7 @@ const Shape* stamp_of(const BodyPair& pair) {
   if (!is_stamp(first) && !is_stamp(second)) return nullptr;
   if (std::holds_alternative<Plane>(second)) return &first;
   if (std::holds_alternative<Plane>(first)) return &second;
-  throw std::invalid_argument("bodies: a stamp presses on a plane");
+  throw std::invalid_argument("a stamp presses on a plane");
 }
 
 }  // namespace patchgrip::cli

@@ -31,7 +31,8 @@ struct ProfileName {
   std::string remark;
 };
 
-// f(profile, ProfileName) for everything that has a profile; a flat punch has none. Throws std::invalid_argument.
+// f(profile, ProfileName) for everything that has a profile; a flat punch has none. Throws std::invalid_argument, and
+// SceneError at the body of which the library makes no profile.
 template <class F>
 auto visit_profile(const BodyPair& pair, F&& f) {
   if (const auto radius = relative_radius_of(pair)) {
@@ -39,35 +40,37 @@ auto visit_profile(const BodyPair& pair, F&& f) {
              ProfileName{"hertz", "two paraboloids, circle of contact small against the radii"});
   }
   const Shape* stamp = stamp_of(pair);
-  if (stamp == nullptr) throw std::invalid_argument("bodies: they do not make a round contact");
+  if (stamp == nullptr) throw std::invalid_argument("the two do not make a round contact");
+  const Place& place = stamp == &pair.first.shape ? pair.first.place : pair.second.place;
+  const auto visit = [&](auto make, const ProfileName& name) { return f(at(place, make), name); };
   if (const auto* s = std::get_if<SphereStamp>(stamp)) {
     if (s->terms == 0) {
-      return f(contact::Sphere::of_radius(s->radius),
-               ProfileName{"sphere", "a sphere on a half-space, its height taken exactly"});
+      return visit([&] { return contact::Sphere::of_radius(s->radius); },
+                   {"sphere", "a sphere on a half-space, its height taken exactly"});
     }
-    return f(contact::PowerSum::sphere_series(s->radius, s->terms),
-             ProfileName{"sphere_series", "the first terms of the sphere's series in r^2 (Keppler 4.14, corrected)"});
+    return visit([&] { return contact::PowerSum::sphere_series(s->radius, s->terms); },
+                 {"sphere_series", "the first terms of the sphere's series in r^2 (Keppler 4.14, corrected)"});
   }
   if (const auto* s = std::get_if<ConeStamp>(stamp)) {
-    return f(contact::Cone::of_slope(s->slope), ProfileName{"cone", "a cone"});
+    return visit([&] { return contact::Cone::of_slope(s->slope); }, {"cone", "a cone"});
   }
   if (const auto* s = std::get_if<PowerStamp>(stamp)) {
-    return f(contact::PowerProfile::of_coefficient(s->coefficient, s->exponent),
-             ProfileName{"power", "a stamp whose height is a power of the radius"});
+    return visit([&] { return contact::PowerProfile::of_coefficient(s->coefficient, s->exponent); },
+                 {"power", "a stamp whose height is a power of the radius"});
   }
   if (const auto* s = std::get_if<FlatEndParaboloidStamp>(stamp)) {
-    return f(contact::FlatEndParaboloid::of(s->end_radius, s->radius),
-             ProfileName{"flat_end_paraboloid", "a flat end that goes on as a paraboloid"});
+    return visit([&] { return contact::FlatEndParaboloid::of(s->end_radius, s->radius); },
+                 {"flat_end_paraboloid", "a flat end that goes on as a paraboloid"});
   }
   if (const auto* s = std::get_if<FlatEndConeStamp>(stamp)) {
-    return f(contact::FlatEndCone::of(s->end_radius, s->slope),
-             ProfileName{"flat_end_cone", "a flat end that goes on as a cone"});
+    return visit([&] { return contact::FlatEndCone::of(s->end_radius, s->slope); },
+                 {"flat_end_cone", "a flat end that goes on as a cone"});
   }
   if (const auto* s = std::get_if<PointStamp>(stamp)) {
-    return f(contact::PointProfile::through(s->points),
-             ProfileName{"points", "a profile given by points, straight between them"});
+    return visit([&] { return contact::PointProfile::through(s->points); },
+                 {"points", "a profile given by points, straight between them"});
   }
-  throw std::invalid_argument("bodies: a flat punch has no profile");
+  throw std::invalid_argument("a flat punch has no profile");
 }
 
 }  // namespace patchgrip::cli

@@ -141,7 +141,7 @@ DescribedShape read_mesh(const TomlReader& body) {
   constexpr std::string_view allowed = "a point [x, y, z] of the mesh, in its own unit";
   const toml::array& values = body.array(body.node("point"), "point", allowed);
   if (values.size() != 3) body.refuse("point", allowed);
-  MeshSurface mesh{beside_scene(body, "mesh"), {}, 1};
+  MeshSurface mesh{beside_scene(body, "mesh"), {}, 1, body.place("mesh")};
   for (std::size_t i = 0; i < 3; ++i) {
     mesh.point[i] = body.number(values[i], fmt::format("point[{}]", i), any_sign("a coordinate"));
   }
@@ -154,9 +154,10 @@ DescribedShape read_mesh(const TomlReader& body) {
 DescribedShape read_height_map(const TomlReader& body) {
   const Sides cell = read_sides(body, "cell");
   const bool periodic = body.flag("periodic");
-  return {HeightMapFile{beside_scene(body, "height_map"), {cell.along_x, cell.along_y}, periodic},
-          fmt::format("height map {}, cells of {} m by {} m{}", body.text("height_map"), cell.along_x, cell.along_y,
-                      periodic ? ", periodic" : "")};
+  return {
+      HeightMapFile{beside_scene(body, "height_map"), {cell.along_x, cell.along_y}, periodic, body.place("height_map")},
+      fmt::format("height map {}, cells of {} m by {} m{}", body.text("height_map"), cell.along_x, cell.along_y,
+                  periodic ? ", periodic" : "")};
 }
 
 }  // namespace

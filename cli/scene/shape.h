@@ -58,6 +58,7 @@ struct MeshSurface {
   std::filesystem::path file;
   std::array<double, 3> point;  // in the frame and the unit of the file
   double unit;                  // of its coordinates [m]
+  Place place;                  // the key 'mesh'
 };
 
 // Heights on a grid (contact/half_space/height_map.h), its middle at the origin.
@@ -65,6 +66,7 @@ struct HeightMapFile {
   std::filesystem::path path;
   std::array<double, 2> cell;  // size of a cell along x and y [m]
   bool periodic;               // the map repeats without end
+  Place place;                 // the key 'height_map'
 };
 
 using Shape = std::variant<Ball, Plane, CurvedSurface, SphereStamp, ConeStamp, PowerStamp, FlatPunchStamp,

@@ -23,8 +23,8 @@ std::string Quantity::allowed() const {
 TomlReader::TomlReader(const TomlDocument& document, const toml::table& table, std::string path, Keys known)
     : document_(&document), table_(&table), path_(std::move(path)) {
   for (const auto& [key, value] : table) {
-    if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
-      refuse(key.str(), "unknown key" + suggestion(key.str(), std::span(known.begin(), known.end())));
+    if (std::ranges::find(known, key.str()) == known.end()) {
+      refuse(key.str(), "unknown key" + suggestion(key.str(), known));
     }
   }
 }
@@ -36,15 +36,20 @@ std::string TomlReader::full_name(std::string_view key) const {
 }
 
 void TomlReader::refuse(std::string_view key, std::string_view allowed) const {
-  const auto entry = table_->find(key);
-  if (entry == table_->end()) {
+  if (!has(key)) {
     document_->fail(line(), fmt::format("{}: missing: {}", printable(full_name(key)), allowed));
   }
+  place(key).refuse(allowed);
+}
+
+Place TomlReader::place(std::string_view key) const {
+  const auto entry = table_->find(key);
   const toml::node& value = entry->second;
   const std::string written = value.is_table() || value.is_array_of_tables() ? "" : " = " + document_->written(value);
-  document_->fail(entry->first.source().begin.line,
-                  fmt::format("{}{}: {}", printable(full_name(key)), written, allowed));
+  return {document_->name(), entry->first.source().begin.line, printable(full_name(key)) + written};
 }
+
+Place TomlReader::place() const { return {document_->name(), line(), path_}; }
 
 void TomlReader::refuse(const toml::node& value, std::string_view name, std::string_view allowed) const {
   document_->fail(value.source().begin.line,
@@ -123,7 +128,7 @@ const toml::array& TomlReader::array(const toml::node& value, std::string_view n
 
 void TomlReader::refuse_others(Keys used, std::string_view reason) const {
   for (const auto& [key, value] : *table_) {
-    if (std::find(used.begin(), used.end(), key.str()) == used.end()) refuse(key.str(), reason);
+    if (std::ranges::find(used, key.str()) == used.end()) refuse(key.str(), reason);
   }
 }
 

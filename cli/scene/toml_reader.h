@@ -8,7 +8,9 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -16,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include <patchgrip/cli/scene/place.h>
 #include <patchgrip/cli/scene/toml_document.h>
 
 namespace patchgrip::cli {
@@ -43,7 +46,12 @@ constexpr Quantity any_sign(std::string_view what) { return {what, smallest_size
 
 class TomlReader {
  public:
-  using Keys = std::initializer_list<std::string_view>;
+  // Names of keys, for the length of a call: {"radius", "alpha"}, or an array of them.
+  struct Keys : std::span<const std::string_view> {
+    Keys(std::initializer_list<std::string_view> names) : span(std::data(names), names.size()) {}
+    template <std::size_t N>
+    Keys(const std::array<std::string_view, N>& names) : span(names) {}
+  };
 
   // `path` names the table in errors; it is empty for the whole file. `document` must outlive the reader.
   TomlReader(const TomlDocument& document, const toml::table& table, std::string path, Keys known);
@@ -69,6 +77,9 @@ class TomlReader {
   [[noreturn]] void refuse(std::string_view key, std::string_view allowed) const;  // a key, present or missing
   [[noreturn]] void refuse(const toml::node& value, std::string_view name, std::string_view allowed) const;  // a value
   [[noreturn]] void refuse_table(std::string_view allowed) const;  // the table as a whole
+
+  Place place(std::string_view key) const;  // of a key that is there
+  Place place() const;                      // of the table as a whole
 
   std::string full_name(std::string_view key) const;
   const TomlDocument& document() const noexcept { return *document_; }

@@ -2,76 +2,27 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
-#include <stdexcept>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <patchgrip/cli/press/press_creep.h>
-#include <patchgrip/cli/press/press_scene.h>
-#include <patchgrip/cli/press/press_tables.h>
-#include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/contact/hertz_circle.h>
 #include <patchgrip/contact/material.h>
 
-#include "scenes.h"
+#include "press_scenes.h"
 
 namespace patchgrip::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-const fs::path press_folder = test::data_folder / "scenes" / "press";
-
-PressScene press_scene(std::string text) {
-  return read_press_scene(TomlDocument::parse(std::move(text), (press_folder / "scene.toml").string()),
-                          MaterialLibrary({test::data_folder / "materials"}));
-}
-
-PressScene committed(const std::string& name) {
-  return read_press_scene(TomlDocument::read(press_folder / (name + ".toml")),
-                          MaterialLibrary({test::data_folder / "materials"}));
-}
-
-const Result& result(const LawAnswer& law, std::string_view name) {
-  for (const Result& r : law.results) {
-    if (r.name == name) return r;
-  }
-  throw std::logic_error("no result " + std::string(name));
-}
-
-double value(const LawAnswer& law, std::string_view name) { return result(law, name).value; }
-
-const LawAnswer& beside(const Answer& answer, std::string_view law) {
-  for (const LawAnswer& l : answer.beside) {
-    if (l.law == law) return l;
-  }
-  throw std::logic_error("no law " + std::string(law));
-}
-
-std::size_t column(const Table& table, std::string_view name) {
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (table.columns[i] == name) return i;
-  }
-  throw std::logic_error("no column " + std::string(name));
-}
-
-// A stamp on soft rubber, E* = 200 kPa / 3.
-std::string stamp(const std::string& shape, const std::string& load = "normal_force = 0.1") {
-  return "[contact]\n" + load + "\n[[contact.bodies]]\n" + shape +
-         "\nrigid = true\n[[contact.bodies]]\nplane = true\nyoungs_modulus = 50e3\npoisson_ratio = 0.5\n";
-}
+using namespace test;
 
 void expect_sound(const LawAnswer& law) {
   EXPECT_FALSE(law.law.empty());
@@ -83,29 +34,10 @@ void expect_sound(const LawAnswer& law) {
 
 class CommittedScene : public ::testing::TestWithParam<std::string> {};
 
-std::vector<std::string> committed_scenes() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(press_folder)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 TEST_P(CommittedScene, IsAnsweredWithErrorsAndATable) {
   const PressScene scene = committed(GetParam());
   EXPECT_FALSE(scene.title.empty());
-  Answer answer;
-  Table table;
-  if (std::holds_alternative<TimedLoad>(scene.load)) {
-    PressedOverTime pressed = press_over_time(scene);
-    answer = std::move(pressed.answer);
-    table = std::move(pressed.table);
-  } else {
-    const Pressed pressed = press(scene);
-    answer = pressed.answer;
-    table = scene.sweep ? sweep_table(scene) : surface_table(scene, pressed);
-  }
+  const auto [answer, table] = answered(scene);
   expect_sound(answer.main);
   for (const LawAnswer& law : answer.beside) expect_sound(law);
   EXPECT_GE(table.rows.size(), 2U);
@@ -119,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Press, CommittedScene, ::testing::ValuesIn(committed_sc
                          [](const auto& given) { return given.param; });
 
 TEST(Press, TheReadmeKnowsEveryScene) {
-  std::ifstream readme(test::data_folder / "scenes" / "README.md");
+  std::ifstream readme(data_folder / "scenes" / "README.md");
   const std::string text{std::istreambuf_iterator<char>(readme), {}};
   for (const std::string& name : committed_scenes()) {
     if (name.starts_with("figure_4_")) continue;
@@ -145,6 +77,14 @@ TEST(Press, WarnsOfABallThatSinksInByHowMuch) {
   // At equal radius F / F_Hertz = 1 + (2/5) q^2 + (9/35) q^4 + ... with q = 1/2.
   EXPECT_THAT(warnings.front(), HasSubstr("a/R = 0.5 is not small"));
   EXPECT_THAT(warnings.front(), HasSubstr("change by +12 %"));
+}
+
+TEST(Press, WarnsOfABallThatSinksInDeeperThanASphereCan) {
+  const std::string text =
+      with(with(good_bodies, "normal_force = 5.0", "contact_radius = 0.02"), "[poles]\nlist = [[0.001, 0.002]]\n", "");
+  const auto warnings = press(press_scene(text)).answer.warnings;
+  EXPECT_THAT(warnings, ::testing::Contains(HasSubstr("sphere does not reach this load")));
+  EXPECT_THAT(warnings, ::testing::Contains(HasSubstr("a/R = 2 is not small; slopes and strains")));
 }
 
 TEST(Press, PressureOfEveryRoundLawCarriesTheForce) {
@@ -255,15 +195,15 @@ TEST(Press, WinklerForceAndApproachAgree) {
   const std::string by_approach = "[contact]\napproach = 5e-4\n[contact.fingertip]\nradius = 0.02\nbed_modulus = 1e5\n";
   const double force = value(press(press_scene(by_approach)).answer.main, "normal_force");
   EXPECT_NEAR(force, 0.077222555320, 1e-11);  // winkler_theta0_0
-  const auto by_force = test::with(by_approach, "approach = 5e-4", fmt::format("normal_force = {:.17g}", force));
+  const auto by_force = with(by_approach, "approach = 5e-4", fmt::format("normal_force = {:.17g}", force));
   EXPECT_NEAR(value(press(press_scene(by_force)).answer.main, "approach") / 5e-4, 1, 1e-13);
 }
 
 TEST(Press, MeshOfAnEllipsoidAgreesWithItsRadii) {
   const Answer mesh = press(committed("mesh_on_plate")).answer;
   // At the pole of the ellipsoid R = ax^2 / az, ay^2 / az.
-  const std::string text = test::with(test::good_bodies, "radius = 0.01", "radii = [0.09, 0.04]");
-  const Answer exact = press(press_scene(test::with(text, "normal_force = 5.0", "normal_force = 1.0"))).answer;
+  const std::string text = with(good_bodies, "radius = 0.01", "radii = [0.09, 0.04]");
+  const Answer exact = press(press_scene(with(text, "normal_force = 5.0", "normal_force = 1.0"))).answer;
   for (const char* name : {"semi_axis_a", "semi_axis_b", "approach", "peak_pressure"}) {
     const Result& r = result(mesh.main, name);
     EXPECT_NEAR(r.value, value(exact.main, name), r.error) << name;
@@ -291,97 +231,6 @@ TEST(Press, AnswersAreJsonThatReadsBack) {
   EXPECT_EQ(json.at("beside").at(0).at("law"), "sphere");
   EXPECT_EQ(json.at("contact").size(), 2U);
 }
-
-struct Bad {
-  std::string name;
-  std::string text;
-  std::string message;
-};
-
-class BadPressScene : public ::testing::TestWithParam<Bad> {};
-
-TEST_P(BadPressScene, IsRefusedWithKeyValueAndWhatIsAllowed) {
-  const auto refusal = [&]() -> std::string {
-    try {
-      const PressScene scene = press_scene(GetParam().text);
-      if (std::holds_alternative<TimedLoad>(scene.load)) {
-        press_over_time(scene);
-      } else {
-        press(scene);
-      }
-    } catch (const SceneError& error) {
-      return error.what();
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
-  EXPECT_THAT(refusal(), HasSubstr(GetParam().message));
-}
-
-std::vector<Bad> bad_scenes() {
-  const std::string creep = test::with(stamp("radius = 0.02", ""), "youngs_modulus = 50e3",
-                                       "poynting_thomson = { E1 = 1e4, E2 = 2e4, eta = 1e3 }");
-  const std::string load = "[load]\nnormal_force = [[0, 1]]\ntimes = [1]\n";
-  return {
-      {"NoLoad", stamp("radius = 0.02", ""), "contact: needs 'normal_force', 'approach' or 'contact_radius'"},
-      {"TwoLoads", stamp("radius = 0.02", "normal_force = 1\napproach = 1e-3"),
-       "contact.approach = 1e-3: one of 'normal_force', 'approach' and 'contact_radius'"},
-      {"NegativeForce", stamp("radius = 0.02", "normal_force = -1"), "contact.normal_force = -1: a force in N, from"},
-      {"UnknownStamp", stamp("stamp = \"kone\"\nslope = 1"), "stamp = \"kone\": unknown name; did you mean 'cone'?"},
-      {"ConeWithRadius", stamp("stamp = \"cone\"\nslope = 1\nradius = 1"), "radius = 1: not used by a cone"},
-      {"ConeWithoutSlope", stamp("stamp = \"cone\""), "slope: missing: a slope"},
-      {"FractionOfATerm", stamp("stamp = \"sphere\"\nradius = 1\nterms = 2.5"), "terms = 2.5: a whole number"},
-      {"FlatEndOfBoth", stamp("stamp = \"flat_end\"\nend_radius = 1\nradius = 1\nslope = 1"),
-       "a flat end goes on with either 'radius' (paraboloid) or 'slope' (cone)"},
-      {"FallingPoints", stamp("stamp = \"points\"\npoints = [[0, 0], [1e-3, 1e-4], [2e-3, 0]]"), "is not allowed"},
-      {"TwoStamps", test::with(stamp("stamp = \"cone\"\nslope = 1"), "plane = true", "radius = 1"),
-       "bodies: a stamp presses on a plane"},
-      {"SphereBeyondItsEquator", stamp("stamp = \"sphere\"\nradius = 1e-3", "contact_radius = 2e-3"),
-       "contact_radius = 0.002 is not allowed"},
-      {"Saddle", stamp("radii = [0.02, -0.01]"), "is not allowed"},
-      {"RadiiOfThree", stamp("radii = [1, 2, 3]"), "two principal radii [R1, R2]"},
-      {"RadiusOfAnEllipse", stamp("radii = [0.02, 0.01]", "contact_radius = 1e-3"),
-       "contact_radius: an ellipse has two"},
-      {"NoSuchMesh", stamp("mesh = \"no.off\"\npoint = [0, 0, 0]"), "no.off"},
-      {"NoSuchMap", stamp("height_map = \"no.csv\"\ncell = [1e-3, 1e-3]"), "no.csv\": no such file"},
-      {"MapWithoutCells", stamp("height_map = \"rough_surface.csv\""), "cell: missing: two lengths in m"},
-      {"MapIsNoGrid", stamp("height_map = \"ellipsoid.off\"\ncell = [1e-3, 1e-3]"), "ellipsoid.off"},
-      {"StaticCreep", test::with(creep, "[contact]\n", "[contact]\nnormal_force = 1\n"),
-       "a viscoelastic body needs its load over time"},
-      {"LoadTwice", test::with(creep, "[contact]\n", "[contact]\nnormal_force = 1\n") + load,
-       "contact: the load is under [load]"},
-      {"TimesBackwards", creep + "[load]\nnormal_force = [[0, 1]]\ntimes = [2, 1]\n",
-       "load.times = [2, 1]: times in s"},
-      {"PointsBackwards", creep + "[load]\nnormal_force = [[1, 1], [0, 1]]\ntimes = [2]\n",
-       "t_1 = 0 is not allowed: must not be less than the time before it"},
-      {"LoadWithoutHistory", creep + "[load]\ntimes = [1]\n", "load: needs one of 'normal_force', 'approach', 'sine'"},
-      {"NegativeViscosity", test::with(creep, "eta = 1e3", "eta = -1") + load, "eta = -1: a viscosity in Pa s"},
-      {"TwoModels", test::with(creep, "poisson_ratio", "maxwell = { E1 = 1, eta = 1 }\npoisson_ratio") + load,
-       "maxwell: not used beside 'poynting_thomson'"},
-      {"CreepWithoutPoisson", test::with(creep, "poisson_ratio = 0.5", "") + load, "poisson_ratio: missing"},
-      {"PullBelowPullOff", stamp("radius = 0.01", "normal_force = -1") + "[adhesion]\nwork = 0.1\n", "is not allowed"},
-      {"AdhesionOfAStamp", stamp("stamp = \"cone\"\nslope = 1") + "[adhesion]\nwork = 0.1\n",
-       "adhesion: covered between balls, hollows and planes"},
-      {"SweepOfTwo", stamp("radius = 0.01") + "[sweep]\nmu = [1, 2]\napproach = [1e-3]\n",
-       "one quantity is swept at a time"},
-      {"RatioOfBalls", stamp("radius = 0.01") + "[sweep]\nradii_ratio = [1, 0.5]\n",
-       "'radii_ratio' varies the smaller"},
-      {"FingertipOfNothing", "[contact]\nnormal_force = 1\n[contact.fingertip]\nalpha = 2\n",
-       "contact.fingertip: needs 'coefficient' and 'exponent', 'measured'"},
-      {"ApproachOfAFingertip", "[contact]\napproach = 1e-3\n[contact.fingertip]\ncoefficient = 4e-3\nexponent = 0.3\n",
-       "approach: the power law says nothing of it"},
-      {"PatchWithoutModulus", "[contact]\npatch = \"hertz_disc\"\nradius = 1e-3\nnormal_force = 1\n",
-       "contact.contact_modulus: missing"},
-      {"PolygonAsPressure",
-       "[contact]\npatch = \"rectangle\"\nsides = [1, 1]\nnormal_force = 1\ncontact_modulus = 1e6\n",
-       "press makes stamps of round pressures"},
-      {"UnknownTable", stamp("radius = 0.01") + "[lode]\n", "lode: unknown key; did you mean 'load'?"},
-  };
-}
-
-INSTANTIATE_TEST_SUITE_P(Press, BadPressScene, ::testing::ValuesIn(bad_scenes()),
-                         [](const auto& given) { return given.param.name; });
 
 }  // namespace
 }  // namespace patchgrip::cli
