@@ -1,0 +1,42 @@
+// The gauge of a load: how much friction a patch needs to hold it.
+//
+//     g(t) = max over v of  t . v / D(v)      [N]                                        (seed 4.52, 4.53)
+//
+// is the smallest mu F_N that holds the load t: the patch sticks while g(t) <= mu F_N. The limit surface is g = mu F_N.
+// The twist that attains the maximum is the slip that the load would start; the friction wrench then is -mu F_N grad D
+// of it, parallel to -t.
+//
+// Units    load [N], [N], [N m] as twist.h; g [N].
+// Error    lower <= g(t) <= upper, rounding included, as far as the patch's own bounded_gradient() holds.
+#pragma once
+
+#include <patchgrip/friction/twist.h>
+
+namespace patchgrip::friction {
+
+enum class GaugeStatus {
+  converged,   // the bracket is as narrow as the settings ask for, or as rounding of the patch allows
+  ridge,       // so is the value, but other slips serve as well: all pressure lies on one line
+  facet,       // so is the value, but other loads start the same slip: its pole is a point load
+  stalled,     // the bracket holds, but is wider than asked for
+  not_finite,  // the load is not finite: value, bracket and twist are not-a-number
+};
+
+struct Gauge {
+  double value = 0;  // g(t) [N]
+  double lower = 0;  // [N]
+  double upper = 0;  // [N]
+  Twist twist;       // slip that the load starts, with D(twist) = 1: the gradient of g, and value = t . twist
+  int evaluations = 0;
+  GaugeStatus status = GaugeStatus::converged;
+};
+
+struct GaugeSettings {
+  double relative_gap = 1e-12;  // (upper - lower) / value without rounding, in [1e-15, 1)
+  int max_evaluations = 100;    // of grad D; >= 1
+
+  // Throws std::invalid_argument, naming the setting.
+  void check() const;
+};
+
+}  // namespace patchgrip::friction
