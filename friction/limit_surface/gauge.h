@@ -7,7 +7,8 @@
 // of it, parallel to -t.
 //
 // Units    load [N], [N], [N m] as twist.h; g [N].
-// Error    lower <= g(t) <= upper, rounding included, as far as the patch's own bounded_gradient() holds.
+// Error    lower <= g(t) <= upper, rounding included, as far as the patch's own bounded_gradient() holds. The bracket is
+//          wide by the first order of the slip's error, `value` wrong by the second: to rounding once converged.
 #pragma once
 
 #include <patchgrip/friction/twist.h>
@@ -15,10 +16,11 @@
 namespace patchgrip::friction {
 
 enum class GaugeStatus {
-  converged,   // the bracket is as narrow as the settings ask for, or as rounding of the patch allows
-  ridge,       // so is the value, but other slips serve as well: all pressure lies on one line
-  facet,       // so is the value, but other loads start the same slip: its pole is a point load
-  stalled,     // the bracket holds, but is wider than asked for
+  converged,  // the bracket is as narrow as the settings ask for, or as rounding of the patch allows
+  ridge,      // the same, but other slips serve as well: all pressure lies on one line
+  facet,    // at a kink of D, where many loads start one slip about a point load: the bracket is narrower than the root
+            // of what the settings ask for
+  stalled,  // the bracket holds, but is wider than asked for
   not_finite,  // the load is not finite: value, bracket and twist are not-a-number
 };
 
@@ -32,8 +34,8 @@ struct Gauge {
 };
 
 struct GaugeSettings {
-  double relative_gap = 1e-12;  // (upper - lower) / value without rounding, in [1e-15, 1)
-  int max_evaluations = 100;    // of grad D; >= 1
+  double relative_gap = 1e-12;  // (upper - lower) / value where rounding allows it, in [1e-15, 1)
+  int max_evaluations = 100;    // of grad D, >= 1; loads on a facet may take 3 more
 
   // Throws std::invalid_argument, naming the setting.
   void check() const;

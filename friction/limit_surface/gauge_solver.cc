@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <patchgrip/contact/require.h>
+#include <patchgrip/friction/limit_surface/cutting_planes.h>
 
 namespace patchgrip::friction {
 
@@ -19,10 +20,8 @@ namespace {
 
 constexpr double unit = 0x1p-53;
 
-// Twists as (vx, vy, length w) and wrenches as (fx, fy, m / length), about the centroid.
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) noexcept { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+// Newton's method needs 15 on slender patches with an aspect of 1000; more, and D has a kink.
+constexpr int smooth_evaluations = 25;
 
 Vector moved(const Vector& a, double k, const Vector& b) noexcept {
   return {a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]};
@@ -60,20 +59,33 @@ class Maximiser {
         t_(about_centroid(load)) {}
 
   Gauge run() noexcept {
-    Iterate now = at({t_[0], t_[1], t_[2]});
-    best_ = now;
-    while (!narrow(best_.bracket) && evaluations_ < settings_.max_evaluations) {
+    Iterate now = best_ = at(start());
+    const int last = std::min(settings_.max_evaluations, smooth_evaluations);
+    while (!narrow(best_.bracket) && evaluations_ < last) {
       const std::optional<Vector> step = newton_step(now);
       if (!step) break;
       now = along(now, *step);
-      if (better(now)) best_ = now;
+      if (now.bracket.gap < best_.bracket.gap) best_ = now;
     }
-    return result();
+    if (narrow(best_.bracket)) return result(ridge_ ? GaugeStatus::ridge : GaugeStatus::converged);
+    return result(cut() ? GaugeStatus::facet : GaugeStatus::stalled);
   }
 
  private:
   Vector about_centroid(const Wrench& t) const noexcept {
     return {t.fx, t.fy, (t.m - (frame_.x * t.fy - frame_.y * t.fx)) / frame_.length};
+  }
+
+  // The pole's distance times |M|, in the direction of the force: finite for pure forces and pure moments.
+  Vector start() const noexcept {
+    const double F2 = t_[0] * t_[0] + t_[1] * t_[1];
+    if (F2 == 0) return {0, 0, t_[2]};
+    const double xx = frame_.xx, xy = frame_.xy, yy = frame_.yy;
+    const double along = (t_[0] * t_[0] * xx + 2 * t_[0] * t_[1] * xy + t_[1] * t_[1] * yy) / F2;
+    const double across = 3 * (xx + yy - along);
+    const double M = std::fabs(t_[2]);
+    const double k = along + across * M / (M + std::sqrt(M * M + across * F2));
+    return {k * t_[0], k * t_[1], t_[2]};
   }
 
   Iterate at(const Vector& direction) noexcept {
@@ -115,10 +127,10 @@ class Maximiser {
   }
 
   bool narrow(const Bracket& b) const noexcept {
-    return b.gap <= std::max(settings_.relative_gap * b.lower, b.rounding);
+    const double width = b.upper - b.lower;
+    return width <= settings_.relative_gap * b.lower ||
+           (b.gap <= b.rounding && width <= std::sqrt(settings_.relative_gap) * b.lower);
   }
-
-  bool better(const Iterate& i) const noexcept { return i.bracket.gap < best_.bracket.gap; }
 
   // Where the Hessian is infinite (the pole on a line load) it is taken with the pole a little aside.
   Twist beside(const Twist& v) const noexcept {
@@ -126,8 +138,8 @@ class Maximiser {
     return {v.vx + 0.8 * shift, v.vy - 0.6 * shift, v.w};
   }
 
-  // Solves (D H + g g^T) s = t / k - g ... with v scaled so that D(v) = value.
-  std::optional<Vector> newton_step(Iterate& i) const noexcept {
+  // Scales the twist of `i` to its best length and solves (D H + g g^T) s = r there.
+  std::optional<Vector> newton_step(Iterate& i) noexcept {
     const double k = i.value / i.dissipation;  // to the best length of the twist
     for (double& x : i.u) x *= k;
     Hessian h;
@@ -156,38 +168,81 @@ class Maximiser {
     const double s2 = z2 / d2;
     const double s1 = z1 / d1 - l3 * s2;
     const double s0 = z0 / d0 - l1 * s1 - l2 * s2;
-    const Vector s{s0, s1, s2};
-    if (!std::isfinite(s0) || !std::isfinite(s1) || !std::isfinite(s2)) return std::nullopt;
-    return s;
+    if (!std::isfinite(s0 + s1 + s2)) return std::nullopt;
+    ridge_ = std::min(d1, d2) <= 1e4 * floor;
+    return Vector{s0, s1, s2};
   }
 
-  // The full step, or less of it if the value falls at its end.
-  Iterate along(const Iterate& from, const Vector& step) noexcept {
-    const double slope = dot(t_, step) - from.value * dot(from.gradient, step);
-    double a = 1;
-    Iterate to = at(moved(from.u, a, step));
+  // The full step; where D has passed its least along it, to where the tangents of both ends meet. On the plane of all
+  // twists with the same t . v.
+  Iterate along(const Iterate& from, Vector step) noexcept {
+    const double power = dot(t_, from.u);
+    const double gain = dot(t_, step) / power;
+    double a = gain < -0.9 ? -0.9 / gain : 1;
+    const double k = 1 / (1 + a * gain);
+    for (std::size_t i = 0; i < 3; ++i) step[i] = a * k * (step[i] - gain * from.u[i]);
+    const double slope = dot(from.gradient, step);
+    a = 1;
+    Iterate to = at(moved(from.u, 1, step));
     for (int tries = 0; tries < 8 && evaluations_ < settings_.max_evaluations; ++tries) {
-      if (narrow(to.bracket)) return to;
-      // d/da of t . v - D^2 / 2
-      const double D = to.dissipation;
-      const double end = dot(t_, step) - D * dot(to.gradient, step);
-      if (end >= -0.5 * slope || to.bracket.gap < from.bracket.gap) return to;
-      a *= std::clamp(slope / (slope - end), 0.1, 0.8);
+      const double end = dot(to.gradient, step);
+      if (narrow(to.bracket) || end <= -0.5 * slope || to.bracket.gap < 0.1 * from.bracket.gap) return to;
+      const double meet = (to.dissipation - from.value - a * end) / (slope - end);
+      a = meet > 0 && meet < 0.9 * a ? meet : 0.5 * a;
       to = at(moved(from.u, a, step));
     }
     return to;
   }
 
-  Gauge result() const noexcept {
-    Gauge g;
+  CuttingPlanes::Plane plane(const Iterate& i) const noexcept {
+    const double rounding = 2 * unit * force_size(i.g.value);
+    return {i.gradient, i.g.force_error + rounding,
+            i.g.moment_error + arm_ * (i.g.force_error + 2 * rounding) + 2 * unit * std::fabs(i.g.value.m)};
+  }
+
+  // True if a facet holds the load: three planes that differ agree on its gauge.
+  bool cut() noexcept {
+    CuttingPlanes planes(t_, plane(at({0, 0, 1})));
+    Bracket b = best_.bracket;
+    const auto look_at = [&](const Vector& u) {
+      best_ = at(u);
+      b.lower = std::max(b.lower, best_.bracket.lower);
+    };
+    do {
+      look_at(planes.twist());
+      b.upper = std::min(b.upper, upper_bound(planes));
+      // Close to the kink rounding turns the gradient by more than it lies beyond the planes.
+    } while (dot(best_.gradient, best_.u) - 1 > best_.g.force_error && evaluations_ < settings_.max_evaluations &&
+             planes.add(plane(best_)));
+    // There D is bounded worse than a little aside of it.
+    const Iterate kink = best_;
+    look_at(moved(kink.u, 1e-8 * std::sqrt(dot(kink.u, kink.u)), {1, 0, 0}));
+    best_ = kink;
+    best_.bracket = b;
+    return b.upper - b.lower <= std::sqrt(settings_.relative_gap) * b.lower;
+  }
+
+  double upper_bound(const CuttingPlanes& planes) const noexcept {
+    double sum = 0, force_error = 0, moment_error = 0;
+    Vector r = t_;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double k = planes.weights()[i];
+      const CuttingPlanes::Plane& p = planes.planes()[i];
+      sum += k;
+      r = moved(r, -k, p.g);
+      force_error += k * (p.force_error + 2 * unit);
+      moment_error += k * (p.moment_error + 4 * unit * std::fabs(p.g[2]) * frame_.length);
+    }
+    force_error += std::hypot(r[0], r[1]) + unit * force_size(load_);
+    moment_error += std::fabs(r[2]) * frame_.length + 2 * unit * (std::fabs(load_.m) + arm_ * force_size(load_));
+    return (1 + 8 * unit) * (sum + force_error + moment_error / frame_.least_moment);
+  }
+
+  Gauge result(GaugeStatus status) const noexcept {
+    const Bracket& b = best_.bracket;
     const double k = 1 / best_.dissipation;
-    g.value = std::clamp(best_.value, best_.bracket.lower, best_.bracket.upper);
-    g.lower = best_.bracket.lower;
-    g.upper = best_.bracket.upper;
-    g.twist = {k * best_.v.vx, k * best_.v.vy, k * best_.v.w};
-    g.evaluations = evaluations_;
-    g.status = narrow(best_.bracket) ? GaugeStatus::converged : GaugeStatus::stalled;
-    return g;
+    return {std::clamp(best_.value, b.lower, b.upper),       b.lower,      b.upper,
+            {k * best_.v.vx, k * best_.v.vy, k * best_.v.w}, evaluations_, status};
   }
 
   const PatchView& patch_;
@@ -198,18 +253,10 @@ class Maximiser {
   Vector t_;
   Iterate best_;
   int evaluations_ = 0;
+  bool ridge_ = false;
 };
 
 }  // namespace
-
-PressureFrame::PressureFrame(const PatchView& patch, const PressureMoments& moments) noexcept
-    : x(moments.x), y(moments.y), length(std::sqrt(moments.polar)) {
-  const BoundedWrench g = patch.gradient(patch.patch, twist_about({x, y}, 1));
-  const double S = (g.value.m - (x * g.value.fy - y * g.value.fx)) -
-                   (g.moment_error + (std::fabs(x) + std::fabs(y)) * (g.force_error + 4 * unit));
-  const double slope = force_size(g.value) + g.force_error;
-  least_moment = (1 - 4 * unit) * S * std::max(0.5, 1 - slope);
-}
 
 Gauge maximise(const PatchView& patch, const PressureFrame& frame, const Wrench& load,
                const GaugeSettings& settings) noexcept {
@@ -218,9 +265,12 @@ Gauge maximise(const PatchView& patch, const PressureFrame& frame, const Wrench&
     return {nan, nan, nan, {nan, nan, nan}, 0, GaugeStatus::not_finite};
   }
   const double arm = std::fabs(frame.x) + std::fabs(frame.y) + frame.length;
-  const double size = std::max({std::fabs(load.fx), std::fabs(load.fy), std::fabs(load.m) / arm});
-  if (size == 0) return {};
-  const int e = std::ilogb(size);
+  const double force = std::max(std::fabs(load.fx), std::fabs(load.fy));
+  if (force == 0 && load.m == 0) return {};
+  // A power of two near the load, in newtons: nothing over- or underflows, and nothing is rounded.
+  constexpr int none = std::numeric_limits<int>::min();
+  const int e =
+      std::max(force > 0 ? std::ilogb(force) : none, load.m != 0 ? std::ilogb(load.m) - std::ilogb(arm) : none);
   const Wrench scaled{std::scalbn(load.fx, -e), std::scalbn(load.fy, -e), std::scalbn(load.m, -e)};
   Gauge g = Maximiser(patch, frame, scaled, settings).run();
   g.value = std::scalbn(g.value, e);

@@ -6,7 +6,7 @@
 //
 // Units    load [N], [N], [N m] about the origin of the contact frame; g [N].
 // Error    carried (gauge.h); tests/friction/limit_surface/limit_surface_test.cc.
-// Throws   std::invalid_argument on settings out of range; nothing afterwards.
+// Throws   std::invalid_argument on settings out of range and on a single point load; nothing afterwards.
 #pragma once
 
 #include <utility>
