@@ -11,6 +11,8 @@
 //          wide by the first order of the slip's error, `value` wrong by the second: to rounding once converged.
 #pragma once
 
+#include <optional>
+
 #include <patchgrip/friction/twist.h>
 
 namespace patchgrip::friction {
@@ -40,5 +42,12 @@ struct GaugeSettings {
   // Throws std::invalid_argument, naming the setting.
   void check() const;
 };
+
+// Of a load that is not finite, and of none: its gauge is 0, and it starts no slip.
+std::optional<Gauge> trivial_gauge(const Wrench& load) noexcept;
+
+// e with 2^e near the size of a load that is finite and not zero, moments divided by `length`: scaled by 2^-e, which
+// rounds nothing, its squares neither over- nor underflow.
+int load_exponent(const Wrench& load, double length) noexcept;
 
 }  // namespace patchgrip::friction

@@ -6,15 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include <patchgrip/contact/require.h>
 #include <patchgrip/friction/limit_surface/cutting_planes.h>
 
 namespace patchgrip::friction {
-
-void GaugeSettings::check() const {
-  contact::require_in("relative_gap", relative_gap, 1e-15, 1, contact::Ends::right_open);
-  contact::require_in("max_evaluations", max_evaluations, 1, 1e6);
-}
 
 namespace {
 
@@ -260,17 +254,8 @@ class Maximiser {
 
 Gauge maximise(const PatchView& patch, const PressureFrame& frame, const Wrench& load,
                const GaugeSettings& settings) noexcept {
-  if (!std::isfinite(load.fx) || !std::isfinite(load.fy) || !std::isfinite(load.m)) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan, nan, {nan, nan, nan}, 0, GaugeStatus::not_finite};
-  }
-  const double arm = std::fabs(frame.x) + std::fabs(frame.y) + frame.length;
-  const double force = std::max(std::fabs(load.fx), std::fabs(load.fy));
-  if (force == 0 && load.m == 0) return {};
-  // A power of two near the load, in newtons: nothing over- or underflows, and nothing is rounded.
-  constexpr int none = std::numeric_limits<int>::min();
-  const int e =
-      std::max(force > 0 ? std::ilogb(force) : none, load.m != 0 ? std::ilogb(load.m) - std::ilogb(arm) : none);
+  if (const auto known = trivial_gauge(load)) return *known;
+  const int e = load_exponent(load, std::fabs(frame.x) + std::fabs(frame.y) + frame.length);
   const Wrench scaled{std::scalbn(load.fx, -e), std::scalbn(load.fy, -e), std::scalbn(load.m, -e)};
   Gauge g = Maximiser(patch, frame, scaled, settings).run();
   g.value = std::scalbn(g.value, e);
