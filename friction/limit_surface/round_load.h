@@ -1,0 +1,45 @@
+// A load as a round limit surface of radius a sees it, where its squares can be formed.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <patchgrip/friction/kernels/hertz_gauge.h>
+#include <patchgrip/friction/limit_surface/gauge.h>
+
+namespace patchgrip::friction {
+
+struct GaugeAndTwist {
+  double value = 0;
+  Twist twist;
+};
+
+inline kernels::HertzLoad round_load(const Wrench& t, double radius) noexcept {
+  return {t.fx * t.fx + t.fy * t.fy, std::fabs(t.m) / radius};
+}
+
+// Neither squares nor what is divided by them over- or underflows.
+inline bool in_range(const kernels::HertzLoad& t) noexcept {
+  const double size = std::max(t.F2, t.M * t.M);
+  return size > 0x1p-900 && size < 0x1p900;
+}
+
+// `gauge` of a load out of range, by scaling it.
+template <class Function>
+[[gnu::noinline]] double of_rescaled_load(const Wrench& load, double radius, const Function& gauge) noexcept {
+  if (const auto known = trivial_gauge(load)) return known->value;
+  const int e = load_exponent(load, radius);
+  const Wrench t{std::scalbn(load.fx, -e), std::scalbn(load.fy, -e), std::scalbn(load.m, -e)};
+  return std::scalbn(gauge(round_load(t, radius)), e);
+}
+
+template <class Function>
+double of_round_load(const Wrench& load, double radius, const Function& gauge) noexcept {
+  const kernels::HertzLoad t = round_load(load, radius);
+  if (!in_range(t)) [[unlikely]]
+    return of_rescaled_load(load, radius, gauge);
+  return gauge(t);
+}
+
+}  // namespace patchgrip::friction
