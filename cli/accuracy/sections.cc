@@ -19,14 +19,16 @@ struct Section {
   Compare compare;
 };
 
-constexpr std::array<Section, 8> sections{{{"wrench_integrals", compare_wrench_integrals},
-                                           {"entries", compare_contact_entries},
-                                           {"hessian_S", compare_hessian_S},
-                                           {"hessian_D", compare_hessian_D},
-                                           {"limit_curve", compare_limit_curve},
-                                           {"viscous", compare_viscous},
-                                           {"local_stribeck", compare_local_stribeck},
-                                           {"misc.example_4_8", compare_example_4_8}}};
+constexpr std::array<Section, 10> sections{{{"wrench_integrals", compare_wrench_integrals},
+                                            {"entries", compare_contact_entries},
+                                            {"hessian_S", compare_hessian_S},
+                                            {"hessian_D", compare_hessian_D},
+                                            {"limit_curve", compare_limit_curve},
+                                            {"gauge", compare_gauge},
+                                            {"stick_radius", compare_stick_radius},
+                                            {"viscous", compare_viscous},
+                                            {"local_stribeck", compare_local_stribeck},
+                                            {"misc.example_4_8", compare_example_4_8}}};
 
 constexpr std::array<std::string_view, 4> descriptions{"set", "note", "conventions", "verification"};
 
@@ -91,6 +93,16 @@ std::optional<ContactEntry> read_contact_entry(const TableNode& entry, std::stri
   auto contact = TableContact::read(fields["contact"], section, report);
   if (!contact) return std::nullopt;
   return ContactEntry{std::move(fields), *std::move(contact)};
+}
+
+void compare_area_radius(const TableContact& contact, const TableObject::Length& a_K, std::string_view section,
+                         AccuracyReport& report) {
+  a_K.node.positive();
+  const auto q = measure([&](Inputs inputs) {
+    return contact.visit(inputs, [](const auto& patch) { return std::array{patch.area_radius()}; });
+  });
+  report.add({std::string(section), contact.type(), "a_K"}, deviation(q, 0, a_K.metres(), a_K.metres()),
+             a_K.node.place());
 }
 
 ExactPole ExactPole::read(TableObject& row) { return {row["xi_M"].number(), row["eta_M"].number()}; }

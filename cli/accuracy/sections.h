@@ -17,6 +17,8 @@ void compare_wrench_integrals(const TableNode& section, AccuracyReport& report);
 void compare_hessian_S(const TableNode& section, AccuracyReport& report);
 void compare_hessian_D(const TableNode& section, AccuracyReport& report);
 void compare_limit_curve(const TableNode& section, AccuracyReport& report);
+void compare_gauge(const TableNode& section, AccuracyReport& report);
+void compare_stick_radius(const TableNode& section, AccuracyReport& report);
 void compare_viscous(const TableNode& section, AccuracyReport& report);
 void compare_local_stribeck(const TableNode& section, AccuracyReport& report);
 void compare_example_4_8(const TableNode& example, AccuracyReport& report);
@@ -36,6 +38,10 @@ struct ContactEntry {
 // Nothing where the contact is not covered.
 std::optional<ContactEntry> read_contact_entry(const TableNode& entry, std::string_view section,
                                                AccuracyReport& report);
+
+// The radius of a disc with the area of the contact, which entries state beside it.
+void compare_area_radius(const TableContact& contact, const TableObject::Length& a_K, std::string_view section,
+                         AccuracyReport& report);
 
 // The pole (xi_M, eta_M) of a row, and a twist (v1, v2, omega).
 struct ExactPole {

@@ -6,15 +6,15 @@
 #include <limits>
 #include <optional>
 
+#include <patchgrip/friction/limit_surface/certificate.h>
 #include <patchgrip/friction/limit_surface/cutting_planes.h>
 
 namespace patchgrip::friction {
-
 namespace {
 
 constexpr double unit = 0x1p-53;
 
-// Newton's method needs 15 on slender patches with an aspect of 1000; more, and D has a kink.
+// Newton's method needs up to 15, on slender patches and with the pole on a line load; more, and D has a kink.
 constexpr int smooth_evaluations = 25;
 
 Vector moved(const Vector& a, double k, const Vector& b) noexcept {
@@ -22,13 +22,6 @@ Vector moved(const Vector& a, double k, const Vector& b) noexcept {
 }
 
 double force_size(const Wrench& t) noexcept { return std::hypot(t.fx, t.fy); }
-
-struct Bracket {
-  double lower = 0;
-  double upper = std::numeric_limits<double>::infinity();
-  double gap = std::numeric_limits<double>::infinity();  // upper - lower but for rounding
-  double rounding = 0;
-};
 
 // A twist, the gradient there and what they say of the load.
 struct Iterate {
@@ -61,7 +54,10 @@ class Maximiser {
       now = along(now, *step);
       if (now.bracket.gap < best_.bracket.gap) best_ = now;
     }
-    if (narrow(best_.bracket)) return result(ridge_ ? GaugeStatus::ridge : GaugeStatus::converged);
+    if (narrow(best_.bracket)) {
+      if (frame_.is_line()) newton_step(best_);
+      return result(ridge_ ? GaugeStatus::ridge : GaugeStatus::converged);
+    }
     return result(cut() ? GaugeStatus::facet : GaugeStatus::stalled);
   }
 
@@ -75,7 +71,8 @@ class Maximiser {
     const double F2 = t_[0] * t_[0] + t_[1] * t_[1];
     if (F2 == 0) return {0, 0, t_[2]};
     const double xx = frame_.xx, xy = frame_.xy, yy = frame_.yy;
-    const double along = (t_[0] * t_[0] * xx + 2 * t_[0] * t_[1] * xy + t_[1] * t_[1] * yy) / F2;
+    // Not 0, as it is for a force across a line load.
+    const double along = std::max((t_[0] * t_[0] * xx + 2 * t_[0] * t_[1] * xy + t_[1] * t_[1] * yy) / F2, 1e-12);
     const double across = 3 * (xx + yy - along);
     const double M = std::fabs(t_[2]);
     const double k = along + across * M / (M + std::sqrt(M * M + across * F2));
@@ -92,32 +89,8 @@ class Maximiser {
     i.gradient = about_centroid(i.g.value);
     i.dissipation = power(i.g.value, i.v);
     i.value = power(load_, i.v) / i.dissipation;
-    i.bracket = certify(i);
+    i.bracket = certify(frame_, load_, i.v, i.g);
     return i;
-  }
-
-  Bracket certify(const Iterate& i) const noexcept {
-    const Wrench& g = i.g.value;
-    const Twist& v = i.v;
-    const auto terms = [&](const Wrench& t) {
-      return std::fabs(t.fx * v.vx) + std::fabs(t.fy * v.vy) + std::fabs(t.m * v.w);
-    };
-    const double speed = std::hypot(v.vx, v.vy);
-    const double D_error = i.g.force_error * speed + i.g.moment_error * std::fabs(v.w) + 4 * unit * terms(g);
-    const double tv_error = 4 * unit * terms(load_);
-    Bracket b;
-    const double tv = power(load_, v);
-    b.lower = (1 - 4 * unit) * std::max(0.0, (tv - tv_error) / (i.dissipation + D_error));
-    const double k = std::max(0.0, i.value);
-    const Wrench r{load_.fx - k * g.fx, load_.fy - k * g.fy, load_.m - k * g.m};
-    const double r_moment = r.m - (frame_.x * r.fy - frame_.y * r.fx);
-    const double force_error = k * i.g.force_error + 2 * unit * (force_size(load_) + 2 * k * force_size(g));
-    const double moment_error = k * i.g.moment_error + 2 * unit * (std::fabs(load_.m) + 2 * k * std::fabs(g.m)) +
-                                arm_ * (force_error + 4 * unit * force_size(r));
-    b.gap = force_size(r) + std::fabs(r_moment) / frame_.least_moment;
-    b.rounding = force_error + moment_error / frame_.least_moment;
-    b.upper = (1 + 8 * unit) * (k + b.gap + b.rounding);
-    return b;
   }
 
   bool narrow(const Bracket& b) const noexcept {
@@ -163,7 +136,7 @@ class Maximiser {
     const double s1 = z1 / d1 - l3 * s2;
     const double s0 = z0 / d0 - l1 * s1 - l2 * s2;
     if (!std::isfinite(s0 + s1 + s2)) return std::nullopt;
-    ridge_ = std::min(d1, d2) <= 1e4 * floor;
+    ridge_ = frame_.is_line() && std::min(d1, d2) <= 1e4 * floor;
     return Vector{s0, s1, s2};
   }
 

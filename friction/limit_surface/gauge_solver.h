@@ -5,11 +5,8 @@
 //     phi(v) = t . v - D(v)^2 / 2,      max phi = g(t)^2 / 2
 //
 // is found by Newton's method, (D H + grad D grad D^T) dv = t - D grad D: a single step where B is an ellipsoid. As D
-// is homogeneous each twist has a best length, D(v) = t . v / D(v); there t - D grad D is the residual r of
-//
-//     t . v / D(v)  <=  g(t)  <=  k + |r_F| + |r_M| / min S,      r = t - k grad D(v),   any k >= 0,
-//
-// since B contains grad D(v), every unit force through c and the pure moment min S (pressure_frame.h).
+// is homogeneous each twist has a best length, D(v) = t . v / D(v); there t - D grad D is the residual r of the
+// certificate (certificate.h).
 //
 // Start        With e the direction of the force, sigma_e the spread of the pressure along e, sigma_p across: far poles
 //              lie at sigma_e^2 F / M (exactly, for small M), those of a line load of half-length h at the solution of

@@ -37,6 +37,9 @@ struct PressureFrame {
   // Throws std::invalid_argument unless the polar moment is positive: a single point load holds no moment.
   PressureFrame(const PatchView& patch, const PressureMoments& moments);
 
+  // All pressure lies on one line.
+  bool is_line() const noexcept { return xx * yy - xy * xy <= 1e-12; }
+
   double x, y;          // centroid [m]
   double length;        // radius of gyration about it [m]
   double xx, xy, yy;    // second moments about it, in units of length^2

@@ -1,4 +1,4 @@
-// Pressures without an area: point loads and a line load, where limit surfaces have facets and ridges.
+// Pressures without an area: point loads, on a line or not, where limit surfaces have facets and ridges.
 #pragma once
 
 #include <algorithm>
