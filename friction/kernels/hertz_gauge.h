@@ -28,7 +28,8 @@ struct HertzLoad {
 
 struct HertzSlip {
   double gauge;
-  double V, W;
+  double V_per_F;
+  double W;
 };
 
 namespace detail {
@@ -82,24 +83,23 @@ inline double safe_hertz_gauge(const HertzLoad& t) noexcept {
   return F * polynomial(hertz_gauge_outside_safe, 2 * R / F - 1);
 }
 
-// With the slip, scaled so that D = F V + M W over the gauge is 1.
+// With the slip, scaled so that its power F V + M W is the gauge.
 inline HertzSlip hertz_slip(const HertzLoad& t) noexcept {
   static constexpr auto outside = paired(hertz_gauge_outside, hertz_pole_outside);
-  const double F = std::sqrt(t.F2);
   if (t.pole_inside()) {
     const double z = t.F2 / (t.M * t.M);
     const double n = detail::hertz_root<true>(z);
     const double x2 = z * n * n;
     const double k = 1 / (detail::hertz_m0 * (1 + x2 * (1 - 0.125 * x2)));  // 1 / D of (x, 1)
-    return {t.M * (1 + z * n) * k, F / t.M * n * k, k};
+    return {t.M * (1 + z * n) * k, n * k / t.M, k};
   }
+  const double F = std::sqrt(t.F2), R = std::sqrt(t.F2 - 16 * t.M * t.M);
   const double k = 1 / F;
-  const double R = std::sqrt(t.F2 - 16 * t.M * t.M);
   const Pair g = polynomial(outside, 2 * R * k - 1);
   const double y = t.M * k;
   const double u = 4 * y * g[1];
   const double V = g[0] / (1 + y * u);
-  return {F * g[0], V, u * V};
+  return {F * g[0], V * k, u * V};
 }
 
 }  // namespace patchgrip::friction::kernels

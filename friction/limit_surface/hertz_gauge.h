@@ -35,8 +35,7 @@ class HertzGauge {
     if (!in_range(t)) [[unlikely]]
       return rescaled_slip(load);
     const kernels::HertzSlip s = kernels::hertz_slip(t);
-    const double speed = t.F2 > 0 ? s.V / std::sqrt(t.F2) : 0;
-    return {s.gauge, {speed * load.fx, speed * load.fy, std::copysign(s.W / radius_, load.m)}};
+    return {s.gauge, {s.V_per_F * load.fx, s.V_per_F * load.fy, std::copysign(s.W * inverse_radius_, load.m)}};
   }
 
   Gauge gauge(const Wrench& load) const noexcept;
@@ -44,10 +43,11 @@ class HertzGauge {
   double radius() const noexcept { return radius_; }
 
  private:
-  explicit HertzGauge(double radius) noexcept : radius_(radius) {}
+  explicit HertzGauge(double radius) noexcept : radius_(radius), inverse_radius_(1 / radius) {}
   GaugeAndTwist rescaled_slip(const Wrench& load) const noexcept;
 
   double radius_;  // a [m]
+  double inverse_radius_;
 };
 
 }  // namespace patchgrip::friction
