@@ -79,7 +79,7 @@ TEST(Allocation, DoesNotHappenWhenAPatchIsEvaluated) {
 
 TEST(Allocation, DoesNotHappenWhenAPatchIsCopied) {
   for (const NamedPatch& p : every_patch()) {
-    EXPECT_EQ(allocations_of([&] { [[maybe_unused]] const AnyPatch copy = p.patch; }), 0) << p.name;
+    EXPECT_EQ(allocations_of([&] { [[maybe_unused]] const TestedPatch copy = p.patch; }), 0) << p.name;
   }
 }
 

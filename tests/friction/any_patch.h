@@ -14,6 +14,7 @@
 #include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/several.h>
 #include <patchgrip/friction/stamp_disc.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/friction/xydas_kao_disc.h>
@@ -21,12 +22,13 @@
 
 namespace patchgrip::friction {
 
-using AnyPatch = std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc,
-                              Rectangle, Polygon, Placed<HertzDisc>, Placed<Ring>, Placed<Polygon>>;
+using TestedPatch =
+    std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc, Rectangle, Polygon,
+                 Placed<HertzDisc>, Placed<Ring>, Placed<Polygon>, Placed<Rectangle>, Several>;
 
 struct NamedPatch {
   std::string name;
-  AnyPatch patch;
+  TestedPatch patch;
   std::vector<Pole> landmarks;  // rim, edges and vertices: where pressures end
   bool round_about_origin = false;
 
@@ -95,6 +97,12 @@ inline const std::vector<NamedPatch>& every_patch() {
     all.push_back({"PlacedHertzDisc", Placed(HertzDisc::of_radius(0.5), 3, -2), rim(0.5, 3, -2)});
     all.push_back({"PlacedRing", Placed(Ring::of_radius(0.5), -0.25, 1), rim(0.5, -0.25, 1)});
     all.push_back({"PlacedPolygon", Placed(l_shape.patch(), 0.5, 2), corners_and_sides(l_shape.outer, 0.5, 2)});
+    const Placed turned_rectangle(Rectangle::of_sides(0.3, 0.05), PlanarFrame{-1, 0.4, 0.7});
+    const auto sides = moved(turned(box(-0.15, -0.025, 0.15, 0.025), 0.7), -1, 0.4);
+    all.push_back({"TurnedRectangle", turned_rectangle, corners_and_sides(sides)});
+    all.push_back({"Several",
+                   Several::of_parts({{turned_rectangle, 2, 0.4}, {Placed(HertzDisc::of_radius(0.5), 0.5, 1), 1, 0.9}}),
+                   corners_and_sides(sides)});
     return all;
   }();
   return patches;

@@ -21,14 +21,17 @@
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/law.h>
 #include <patchgrip/friction/placed.h>
+#include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
 #include <patchgrip/friction/seed_hertz_disc.h>
+#include <patchgrip/friction/several.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/friction/xydas_kao_disc.h>
 
+#include "frame_reference.h"
 #include "polygon_reference.h"
 #include "stack_reference.h"
 
@@ -183,6 +186,87 @@ Case polygon_case(Draw& draw, const P& patch, const std::vector<std::vector<Vert
           exact_friction(drawn, {m[0], m[1], m[2]}, reference.gradient(twist), twist)};
 }
 
+// A patch in a frame of its own, with its reference there; moments as seen from the contact frame.
+struct FramedPatch {
+  AnyPatch patch;
+  Gradient50 gradient;
+  double x, y, radius;
+  Moments50 moments;
+};
+
+PlanarFrame draw_frame(Draw& draw, double reach) {
+  return {draw.uniform(-reach, reach), draw.uniform(-reach, reach), draw.coin() ? draw.angle() : 0};
+}
+
+FramedPatch draw_turned_rectangle(Draw& draw) {
+  const double lx = draw.log_uniform(1e-3, 1e2), ly = lx * draw.log_uniform(0.1, 10);
+  const auto reference = std::make_shared<PolygonReference>(
+      std::vector<std::vector<Vertex>>{{{-lx / 2, -ly / 2}, {lx / 2, -ly / 2}, {lx / 2, ly / 2}, {-lx / 2, ly / 2}}});
+  const double radius = std::hypot(lx, ly) / 2;
+  const PlanarFrame frame = draw_frame(draw, 20 * radius);
+  const Gradient50 gradient = [reference](const auto& vx, const auto& vy, const auto& w) {
+    return reference->gradient(vx, vy, w);
+  };
+  return {Placed(Rectangle::of_sides(lx, ly), frame), in_frame(gradient, frame), frame.x, frame.y, radius,
+          {frame.x, frame.y, reference->moments()[2]}};
+}
+
+template <class P>
+FramedPatch draw_framed_disc(Draw& draw, double n) {
+  const auto source = std::make_shared<PowerFamily<Real50>>(n);
+  const double a = draw.log_uniform(1e-2, 10);
+  const PlanarFrame frame = draw_frame(draw, 10);
+  const Gradient50 gradient = [source, a](const auto& vx, const auto& vy, const auto& w) {
+    return round_wrench(*source, a, vx, vy, w);
+  };
+  return {Placed(P::of_radius(a), frame),
+          in_frame(gradient, frame),
+          frame.x,
+          frame.y,
+          a,
+          {frame.x, frame.y, Real50(a) * a / (Real50(n) + 1.5)}};
+}
+
+FramedPatch draw_framed_point(Draw& draw) {
+  const PlanarFrame frame = draw_frame(draw, 10);
+  return {Placed(PointLoad{}, frame), in_frame(point_gradient, frame), frame.x, frame.y, 10, {frame.x, frame.y, 0}};
+}
+
+// Two to six unlike parts; poles are drawn about one of them. Its law is Coulomb, of one coefficient.
+FramedPatch draw_several(Draw& draw) {
+  std::vector<Several::Part> parts;
+  std::vector<Weighted50> weighted;
+  FramedPatch one = draw_framed_point(draw);
+  Real50 sum = 0, x = 0, y = 0, polar = 0;
+  for (int i = draw.integer(2, 6); i > 0; --i) {
+    const int kind = draw.integer(0, 3);
+    FramedPatch part = kind == 0   ? draw_framed_disc<HertzDisc>(draw, 1)
+                       : kind == 1 ? draw_framed_disc<Ring>(draw, -0.5)
+                       : kind == 2 ? draw_turned_rectangle(draw)
+                                   : draw_framed_point(draw);
+    const double F = draw.log_uniform(1e-2, 1e2), mu = draw.uniform(0.01, 2);
+    const Real50 weight = Real50(F) * mu;
+    parts.push_back({part.patch, F, mu});
+    weighted.push_back({part.gradient, weight});
+    sum += weight;
+    x += weight * part.moments.x;
+    y += weight * part.moments.y;
+    polar += weight * (part.moments.polar + part.moments.x * part.moments.x + part.moments.y * part.moments.y);
+    one = std::move(part);
+  }
+  x /= sum;
+  y /= sum;
+  return {Several::of_parts(parts),           weighted_mean(weighted), one.x, one.y, one.radius,
+          {x, y, polar / sum - x * x - y * y}};
+}
+
+Case framed_case(Draw& draw, const FramedPatch& p) {
+  const auto [twist, far] = draw_twist(draw, p.x, p.y, p.radius, [](Draw&) { return std::optional<Pole>(); });
+  const DrawnLaw drawn = draw_law(draw);
+  return {far, friction_wrench(drawn.law, drawn.normal_force, p.patch, twist),
+          exact_friction(drawn, p.moments, p.gradient(twist.vx, twist.vy, twist.w), twist)};
+}
+
 struct Kind {
   std::string name;
   std::function<Case(Draw&)> draw;
@@ -232,6 +316,13 @@ std::vector<Kind> kinds() {
   result.push_back({"placed_ring", [line_load](Draw& draw) {
                       return placed_case(draw, Ring::of_radius(draw.log_uniform(1e-4, 1)), *line_load, 1);
                     }});
+  const auto framed_kind = [](const char* name, int uses, FramedPatch (*make)(Draw&)) -> Kind {
+    return {name, reuse(uses, [make](Draw& draw) -> std::function<Case(Draw&)> {
+              return [patch = make(draw)](Draw& d) { return framed_case(d, patch); };
+            })};
+  };
+  result.push_back(framed_kind("turned_rectangle", 10, draw_turned_rectangle));
+  result.push_back(framed_kind("several", 10, draw_several));
   result.push_back({"seed_hertz_disc", [hertz](Draw& draw) {
                       return round_case(draw, SeedHertzDisc::of_radius(draw.log_uniform(1e-6, 1e2)), *hertz,
                                         Real50(2) / 5);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <patchgrip/friction/any_patch.h>
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/placed.h>
@@ -10,6 +11,7 @@
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
 #include <patchgrip/friction/seed_hertz_disc.h>
+#include <patchgrip/friction/several.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/friction/xydas_kao_disc.h>
 
@@ -19,9 +21,9 @@ namespace {
 template <class P>
 class EveryPatch : public ::testing::Test {};
 
-using Types =
-    ::testing::Types<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, SeedHertzDisc, Polygon,
-                     Rectangle, Placed<HertzDisc>, Placed<Ring>, Placed<Polygon>, Placed<Placed<Rectangle>>>;
+using Types = ::testing::Types<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, SeedHertzDisc,
+                               Polygon, Rectangle, Placed<HertzDisc>, Placed<Ring>, Placed<Polygon>,
+                               Placed<Placed<Rectangle>>, AnyPatch, Placed<AnyPatch>, Several, Placed<Several>>;
 TYPED_TEST_SUITE(EveryPatch, Types);
 
 TYPED_TEST(EveryPatch, ModelsTheConceptAndIsAValue) {

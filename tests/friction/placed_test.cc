@@ -13,7 +13,9 @@
 
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/polygon.h>
+#include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
+#include <patchgrip/tests/friction/frame_reference.h>
 #include <patchgrip/tests/friction/hessian.h>
 #include <patchgrip/tests/friction/polygon_reference.h>
 #include <patchgrip/tests/friction/round_reference.h>
@@ -23,29 +25,20 @@ namespace patchgrip::friction {
 namespace {
 
 using kernels::PowerFamily;
+using std::numbers::pi;
 using ::testing::ThrowsMessage;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Any reference gradient seen from an origin that lies at (-x, -y) of it.
-template <class Gradient>
-auto shifted(const Gradient& gradient, double x, double y) {
-  return [=](const Real50& vx, const Real50& vy, const Real50& w) {
-    Wrench50 g = gradient(vx - w * y, vy + w * x, w);
-    g.m += x * g.fy - y * g.fx;
-    return g;
-  };
-}
-
-auto disc_gradient(const PowerFamily<Real50>& family, double radius) {
+Gradient50 disc_gradient(const PowerFamily<Real50>& family, double radius) {
   return [&family, radius](const Real50& vx, const Real50& vy, const Real50& w) {
     return round_wrench(family, radius, vx, vy, w);
   };
 }
 
-template <class P, class Gradient>
-void expect_within_bounds(const Placed<P>& patch, const Gradient& exact, const Twist& v, double of_use) {
+template <class P>
+void expect_within_bounds(const Placed<P>& patch, const Gradient50& exact, const Twist& v, double of_use) {
   const BoundedWrench g = patch.bounded_gradient(v);
   const Wrench50 e = exact(v.vx, v.vy, v.w);
   const Wrench same = patch.gradient(v);
@@ -68,11 +61,12 @@ void expect_disc_within_bounds(double n) {
   for (int i = 0; i < 200; ++i) {
     const double radius = std::pow(10, -3 * unit(engine));
     const double x = radius * std::pow(10, 4 * unit(engine) - 2), y = -radius * 100 * unit(engine);
-    const double angle = 2 * std::numbers::pi * unit(engine);
+    const double angle = 2 * pi * unit(engine);
     const double r = radius * (i % 3 == 0 ? 1 + (i % 2 == 0 ? 1 : -1) * std::pow(10, -16 * unit(engine))
                                           : std::pow(10, 6 * unit(engine) - 3));
     const Twist v = twist_about({x + r * std::cos(angle), y + r * std::sin(angle)}, i % 2 == 0 ? 1 : -0.7);
-    expect_within_bounds(Placed(P::of_radius(radius), x, y), shifted(disc_gradient(family, radius), x, y), v, 1e-14);
+    expect_within_bounds(Placed(P::of_radius(radius), x, y), in_frame(disc_gradient(family, radius), {x, y, 0}), v,
+                         1e-14);
   }
 }
 
@@ -85,13 +79,66 @@ TEST(Placed, PolygonIsWithinItsBounds) {
     return reference.gradient(vx, vy, w);
   };
   for (const Pole& pole : {Pole{0, 0}, Pole{3, -1}, Pole{0.2, 0.1}, Pole{2.25, -1.75}, Pole{-40, 7}, Pole{1e5, 1e6}}) {
-    expect_within_bounds(Placed(l_shape.patch(), 3, -1), shifted(gradient, 3, -1), twist_about(pole, 1), 1e-13);
+    expect_within_bounds(Placed(l_shape.patch(), 3, -1), in_frame(gradient, {3, -1, 0}), twist_about(pole, 1), 1e-13);
   }
+}
+
+TEST(Placed, ATurnedPolygonIsWithinItsBounds) {
+  const PolygonReference reference(l_shape.rings());
+  const auto gradient = [&](const Real50& vx, const Real50& vy, const Real50& w) {
+    return reference.gradient(vx, vy, w);
+  };
+  for (const double angle : {0.3, -2.5, pi / 2, 1e5}) {
+    const PlanarFrame frame{3, -1, angle};
+    const Placed patch(l_shape.patch(), frame);
+    for (const Pole& pole : {Pole{0, 0}, Pole{3, -1}, Pole{0.2, 0.1}, Pole{2.25, -1.75}, Pole{-40, 7}}) {
+      expect_within_bounds(patch, in_frame(gradient, frame), twist_about(pole, 1), 1e-13);
+    }
+    const Twist v = twist_about({2.7, -0.9}, -1.5);
+    const Hessian exact = hessian_by_differences(in_frame(gradient, frame), v, 3);
+    EXPECT_LE(scaled_difference(patch.hessian(v), exact, v, 3), 1e-14 * scaled_size(exact, v, 3));
+  }
+}
+
+// (x, y) -> (-y, x): what was seen along x is seen along y.
+TEST(Placed, AQuarterTurnTurnsVelocityAndForce) {
+  const Placed patch(Rectangle::of_sides(2, 1), PlanarFrame{0, 0, pi / 2});
+  const Rectangle lying = Rectangle::of_sides(2, 1), standing = Rectangle::of_sides(1, 2);
+  for (const Twist& v : {Twist{0.3, -0.1, 1}, Twist{2, 1, -1}, Twist{1, 2, 0}}) {
+    const Wrench g = patch.gradient({-v.vy, v.vx, v.w}), h = lying.gradient(v);
+    EXPECT_NEAR(g.fx, -h.fy, 1e-15);
+    EXPECT_NEAR(g.fy, h.fx, 1e-15);
+    EXPECT_NEAR(g.m, h.m, 1e-15);
+    EXPECT_NEAR(patch.gradient(v).fx, standing.gradient(v).fx, 1e-15);
+    EXPECT_NEAR(patch.gradient(v).m, standing.gradient(v).m, 1e-15);
+  }
+}
+
+TEST(Placed, ATurnAndBackIsNone) {
+  const Polygon plain = l_shape.patch();
+  const Placed patch(Placed(plain, PlanarFrame{0, 0, 0.7}), PlanarFrame{0, 0, -0.7});
+  for (const Twist& v : {Twist{0.3, -0.1, 1}, Twist{2, 1, -1}, Twist{1, 2, 0}}) {
+    const Wrench g = patch.gradient(v), h = plain.gradient(v);
+    EXPECT_NEAR(g.fx, h.fx, 1e-15);
+    EXPECT_NEAR(g.fy, h.fy, 1e-15);
+    EXPECT_NEAR(g.m, h.m, 1e-15);
+  }
+  EXPECT_NEAR(patch.moments().x, plain.moments().x, 1e-16);
+  EXPECT_NEAR(patch.moments().y, plain.moments().y, 1e-16);
+}
+
+TEST(Placed, TurnsAboutItsOwnOriginBeforeItIsMoved) {
+  const Polygon plain = l_shape.patch();
+  const Placed patch(plain, PlanarFrame{3, 4, 0.7});
+  const PressureMoments s = plain.moments(), t = patch.moments();
+  EXPECT_NEAR(t.x, 3 + s.x * std::cos(0.7) - s.y * std::sin(0.7), 1e-15);
+  EXPECT_NEAR(t.y, 4 + s.x * std::sin(0.7) + s.y * std::cos(0.7), 1e-15);
+  EXPECT_EQ(t.polar, s.polar);
 }
 
 TEST(Placed, AtTheOriginChangesNothing) {
   const HertzDisc disc = HertzDisc::of_radius(0.3);
-  const Placed<HertzDisc> placed(disc, 0, 0);
+  const Placed<HertzDisc> placed(disc, PlanarFrame{});
   for (const Twist& v : {Twist{0.1, 0.2, 1}, Twist{1, 0, 0}, Twist{0, 0, -2}}) {
     const Wrench g = disc.gradient(v), h = placed.gradient(v);
     EXPECT_TRUE(g.fx == h.fx && g.fy == h.fy && g.m == h.m);
@@ -120,7 +167,7 @@ TEST(Placed, ATranslationHasTheMomentOfItsPlace) {
 TEST(Placed, HessianEqualsDifferencesOfTheExactGradient) {
   const PowerFamily<Real50> family(1);
   const Placed patch(HertzDisc::of_radius(0.5), 1.5, -2);
-  const auto gradient = shifted(disc_gradient(family, 0.5), 1.5, -2);
+  const auto gradient = in_frame(disc_gradient(family, 0.5), {1.5, -2, 0});
   for (const Twist& v :
        {twist_about({1.7, -1.9}, 1), twist_about({0, 0}, -2), twist_about({30, 10}, 1), Twist{1, 2, 0}}) {
     const Hessian exact = hessian_by_differences(gradient, v, 2.5);
@@ -150,6 +197,11 @@ TEST(Placed, MomentsMoveWithIt) {
 TEST(Placed, PlacesThatAreNotFiniteAreRefused) {
   const auto at = [](double x, double y) { return [=] { Placed(HertzDisc::of_radius(1), x, y); }; };
   EXPECT_THAT(at(nan, 0), ThrowsMessage<std::invalid_argument>("centre_x = nan is not allowed: must be finite"));
+  EXPECT_THAT(
+      [] {
+        Placed(HertzDisc::of_radius(1), PlanarFrame{0, 0, nan});
+      },
+      ThrowsMessage<std::invalid_argument>("angle = nan is not allowed: must be finite"));
   EXPECT_THAT(at(0, -infinity), ThrowsMessage<std::invalid_argument>("centre_y = -inf is not allowed: must be finite"));
 }
 

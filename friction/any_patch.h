@@ -1,0 +1,59 @@
+// Any patch behind one type, for lists of unlike patches: a value that models the concept Patch as what it holds does.
+//
+//     const std::vector<AnyPatch> fingers{HertzDisc::of_radius(0.004), Placed(Rectangle::of_sides(0.01, 0.02), frame)};
+//
+// Copies share the patch, which never changes; a copy allocates nothing. Results are those of the patch held, to the
+// bit; a call costs one indirect call more.
+//
+// Units, domain, error   those of the patch held.
+// Fails    what was moved from holds nothing and can only be assigned to.
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <utility>
+
+#include <patchgrip/friction/patch.h>
+
+namespace patchgrip::friction {
+
+class AnyPatch {
+ public:
+  template <class P>
+  requires(!std::same_as<P, AnyPatch>) && Patch<P> AnyPatch(P patch)
+      : held_(std::make_shared<const Held<P>>(std::move(patch))) {}
+
+  double dissipation(const Twist& v) const noexcept { return held_->dissipation(v); }
+  Wrench gradient(const Twist& v) const noexcept { return held_->gradient(v); }
+  BoundedWrench bounded_gradient(const Twist& v) const noexcept { return held_->bounded_gradient(v); }
+  Hessian hessian(const Twist& v) const { return held_->hessian(v); }
+  PressureMoments moments() const noexcept { return held_->moments(); }
+  double area_radius() const noexcept { return held_->area_radius(); }
+
+ private:
+  struct Concept {
+    virtual ~Concept() = default;
+    virtual double dissipation(const Twist&) const noexcept = 0;
+    virtual Wrench gradient(const Twist&) const noexcept = 0;
+    virtual BoundedWrench bounded_gradient(const Twist&) const noexcept = 0;
+    virtual Hessian hessian(const Twist&) const = 0;
+    virtual PressureMoments moments() const noexcept = 0;
+    virtual double area_radius() const noexcept = 0;
+  };
+
+  template <class P>
+  struct Held final : Concept {
+    explicit Held(P p) : patch(std::move(p)) {}
+    double dissipation(const Twist& v) const noexcept override { return patch.dissipation(v); }
+    Wrench gradient(const Twist& v) const noexcept override { return patch.gradient(v); }
+    BoundedWrench bounded_gradient(const Twist& v) const noexcept override { return patch.bounded_gradient(v); }
+    Hessian hessian(const Twist& v) const override { return patch.hessian(v); }
+    PressureMoments moments() const noexcept override { return patch.moments(); }
+    double area_radius() const noexcept override { return patch.area_radius(); }
+    P patch;
+  };
+
+  std::shared_ptr<const Concept> held_;
+};
+
+}  // namespace patchgrip::friction
