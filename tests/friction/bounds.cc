@@ -213,10 +213,10 @@ FramedPatch draw_turned_rectangle(Draw& draw) {
 
 template <class P>
 FramedPatch draw_framed_disc(Draw& draw, double n) {
-  const auto source = std::make_shared<PowerFamily<Real50>>(n);
+  static const auto source = std::make_shared<PowerFamily<Real50>>(n);
   const double a = draw.log_uniform(1e-2, 10);
   const PlanarFrame frame = draw_frame(draw, 10);
-  const Gradient50 gradient = [source, a](const auto& vx, const auto& vy, const auto& w) {
+  const Gradient50 gradient = [a](const auto& vx, const auto& vy, const auto& w) {
     return round_wrench(*source, a, vx, vy, w);
   };
   return {Placed(P::of_radius(a), frame),
@@ -322,7 +322,7 @@ std::vector<Kind> kinds() {
             })};
   };
   result.push_back(framed_kind("turned_rectangle", 10, draw_turned_rectangle));
-  result.push_back(framed_kind("several", 10, draw_several));
+  result.push_back(framed_kind("several", 50, draw_several));
   result.push_back({"seed_hertz_disc", [hertz](Draw& draw) {
                       return round_case(draw, SeedHertzDisc::of_radius(draw.log_uniform(1e-6, 1e2)), *hertz,
                                         Real50(2) / 5);
