@@ -48,24 +48,8 @@ class Placed {
   Wrench gradient(const Twist& v) const noexcept { return moved(turned(patch_.gradient(local(v)))); }
 
   BoundedWrench bounded_gradient(const Twist& v) const noexcept {
-    constexpr double unit = 0x1p-53;
     const Twist u = local(v);
-    BoundedWrench g = patch_.bounded_gradient(u);
-    const double speed = std::hypot(u.vx, u.vy);
-    const double radius = patch_.area_radius();
-    const double slope = speed + radius * std::fabs(u.w);
-    // Moving v by a relative rounding moves force and moment by at most |H| |dv|, and H (|v| + a |w|) <= 16 but for a
-    // ring whose rim the pole meets closer than doubles tell. A turn takes four roundings more: cosine and sine,
-    // products, sum.
-    const double roundings = is_turned() ? 5 : 1;
-    const double shift = slope > 0 ? 16 * roundings * unit * speed / slope : 0;
-    const double force = std::hypot(g.value.fx, g.value.fy);
-    const double arm = std::fabs(x_) + std::fabs(y_);
-    g.force_error += shift + (is_turned() ? 4 * unit * force : 0);
-    g.moment_error += shift * radius + arm * (g.force_error + 3 * unit * force);
-    g.value = moved(turned(g.value));
-    g.moment_error += 2 * unit * std::fabs(g.value.m);
-    return g;
+    return in_contact_frame(patch_.bounded_gradient(u), u);
   }
 
   // With u = A v, A = [1 0 -y; 0 1 x; 0 0 1], the Hessian is A^T H A, H turned.
@@ -88,16 +72,36 @@ class Placed {
   double y() const noexcept { return y_; }
   double angle() const noexcept { return angle_; }
 
- private:
-  bool is_turned() const noexcept { return angle_ != 0; }
-
-  // From the contact frame to the patch's own, and back.
+  // The twist as the patch's own frame sees it.
   Twist local(const Twist& v) const noexcept {
     const double ux = std::fma(-v.w, y_, v.vx);
     const double uy = std::fma(v.w, x_, v.vy);
     if (!is_turned()) return {ux, uy, v.w};
     return {cos_ * ux + sin_ * uy, cos_ * uy - sin_ * ux, v.w};
   }
+
+  // What the patch answers to that twist u, as the contact frame sees it, with the rounding of u and of the way back.
+  BoundedWrench in_contact_frame(BoundedWrench g, const Twist& u) const noexcept {
+    constexpr double unit = 0x1p-53;
+    const double speed = std::hypot(u.vx, u.vy);
+    const double radius = patch_.area_radius();
+    const double slope = speed + radius * std::fabs(u.w);
+    // Moving v by a relative rounding moves force and moment by at most |H| |dv|, and H (|v| + a |w|) <= 16 but for a
+    // ring whose rim the pole meets closer than doubles tell. A turn takes four roundings more: cosine and sine,
+    // products, sum.
+    const double roundings = is_turned() ? 5 : 1;
+    const double shift = slope > 0 ? 16 * roundings * unit * speed / slope : 0;
+    const double force = std::hypot(g.value.fx, g.value.fy);
+    const double arm = std::fabs(x_) + std::fabs(y_);
+    g.force_error += shift + (is_turned() ? 4 * unit * force : 0);
+    g.moment_error += shift * radius + arm * (g.force_error + 3 * unit * force);
+    g.value = moved(turned(g.value));
+    g.moment_error += 2 * unit * std::fabs(g.value.m);
+    return g;
+  }
+
+ private:
+  bool is_turned() const noexcept { return angle_ != 0; }
 
   Wrench turned(const Wrench& g) const noexcept {
     if (!is_turned()) return g;

@@ -292,5 +292,6 @@ Hessian Polygon::hessian(const Twist& twist) const {
 PressureMoments Polygon::moments() const noexcept { return {data_->centroid.x, data_->centroid.y, data_->polar}; }
 double Polygon::area_radius() const noexcept { return std::sqrt(data_->area / std::numbers::pi); }
 std::size_t Polygon::edges() const noexcept { return data_->boundary.vertices.size(); }
+const Boundary<double>& Polygon::boundary() const noexcept { return data_->boundary; }
 
 }  // namespace patchgrip::friction

@@ -26,6 +26,11 @@
 
 namespace patchgrip::friction {
 
+namespace kernels {
+template <class Real>
+struct Boundary;
+}
+
 struct Point {
   double x = 0;  // [m]
   double y = 0;  // [m]
@@ -43,6 +48,7 @@ class Polygon {
   double area_radius() const noexcept;
 
   std::size_t edges() const noexcept;
+  const kernels::Boundary<double>& boundary() const noexcept;  // kernels/edge_sum.h
 
  private:
   struct Data;

@@ -1,0 +1,95 @@
+// Friction of a patch whose coefficient falls with the speed of each of its points: Stribeck's law locally.
+//
+//     t = -int mu(|v_P|) (v_P / |v_P|) [1; P x] p dA,    mu(v) = mu_k + (mu_s - mu_k) exp(-v^2 / v_S^2)
+//
+// (4.45 to 4.47 with the coefficient under the integral). Stribeck in the mean (law.h, seed 4.48) takes mu at the mean
+// speed v_m instead and lets the patch keep the shape of its limit surface; both agree in translations, and where v_m is
+// far from v_S. plots/local_stribeck.py shows how far apart they are elsewhere.
+//
+// Coulomb friction with mu_k is exact (law.h); what is integrated is the excess, with u = v / v_S
+//
+//     E(u) = int exp(-|u_P|^2) (u_P / |u_P|) [1; P x] p / F_N dA,    t = t_k - (mu_s - mu_k) F_N E
+//
+// On ellipses and discs E is a mean over directions n of the pressure's projection q on the lines across n, each with
+// the wave g of kernels/stribeck_wave.h; it is the same at every pole, inside, on the rim, outside and at infinity:
+//
+//     E = (1 / 2 pi) int dphi [n; W s] int_-1^1 q(s) g(u . n + w W s) ds,   q = (1 - s^2)^n / B(1/2, n + 1)
+//
+// with W the half width of the zone. On polygons the triangles between the pole and the edges are integrated along
+// their rays in closed form, beyond two radii those between centroid and edges by points.
+//
+// Units    as law.h.
+// Error    carried: that of t_k, and an estimate for E, mostly some 1e-15 (kernels/vector_quadrature.h):
+//          tests/friction/local_stribeck_test.cc.
+// Cost     some milliseconds.
+#pragma once
+
+#include <cmath>
+
+#include <patchgrip/friction/flat_punch_disc.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/law.h>
+#include <patchgrip/friction/placed.h>
+#include <patchgrip/friction/polygon.h>
+#include <patchgrip/friction/power_disc.h>
+#include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/uniform_disc.h>
+
+namespace patchgrip::friction {
+
+// A pressure ~ (1 - x^2/a^2 - y^2/b^2)^(n - 1/2) on an ellipse, n >= -1/2 (seed 4.13).
+struct PowerEllipse {
+  double a, b;  // semi-axes along x and y [m]
+  double n;     // [1]
+};
+
+// E at u = v / v_S. A patch can be integrated locally if this function takes it.
+BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept;
+BoundedWrench stribeck_excess(const Polygon& polygon, const Twist& u) noexcept;
+
+inline BoundedWrench stribeck_excess(const HertzDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 1}, u);
+}
+inline BoundedWrench stribeck_excess(const FlatPunchDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 0}, u);
+}
+inline BoundedWrench stribeck_excess(const UniformDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 0.5}, u);
+}
+inline BoundedWrench stribeck_excess(const Ring& ring, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{ring.radius(), ring.radius(), -0.5}, u);
+}
+inline BoundedWrench stribeck_excess(const PowerDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), disc.exponent()}, u);
+}
+template <class P>
+requires requires(const P& patch, const Twist& u) { stribeck_excess(patch, u); }
+BoundedWrench stribeck_excess(const Placed<P>& placed, const Twist& u) noexcept {
+  const Twist own = placed.local(u);
+  return placed.in_contact_frame(stribeck_excess(placed.patch(), own), own);
+}
+
+template <class P>
+concept LocalPatch = Patch<P> && requires(const P& patch, const Twist& u) {
+  stribeck_excess(patch, u);
+};
+
+// t_k - (mu_s - mu_k) F_N E, with the error of u = v / v_S, rounded.
+BoundedWrench with_stribeck_excess(const BoundedWrench& kinetic, double excess_force, const BoundedWrench& excess,
+                                   double lever) noexcept;
+
+// Friction wrench at the twist v with the coefficient of each point; `normal_force` F_N [N], >= 0.
+template <LocalPatch P>
+BoundedWrench local_friction_wrench(const Law& law, double normal_force, const P& patch, const Twist& v) noexcept {
+  Law kinetic = law;
+  kinetic.mu_static = law.mu_kinetic;
+  const BoundedWrench t = friction_wrench(kinetic, normal_force, patch, v);
+  if (law.mu_static == law.mu_kinetic) return t;
+  const double v_S = law.stribeck_velocity;
+  const PressureMoments s = patch.moments();
+  return with_stribeck_excess(t, (law.mu_static - law.mu_kinetic) * normal_force,
+                              stribeck_excess(patch, {v.vx / v_S, v.vy / v_S, v.w / v_S}),
+                              std::hypot(s.x, s.y) + std::sqrt(s.polar));
+}
+
+}  // namespace patchgrip::friction

@@ -1,0 +1,142 @@
+// Stribeck's excess E(u) = int exp(-|u_P|^2) (u_P / |u_P|) [1; P x] p / F_N dA in 64 bits by ways other than those of
+// the library: the judge of friction/local_stribeck.h.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <patchgrip/contact/endpoint_quadrature.h>
+#include <patchgrip/friction/kernels/edge_sum.h>
+#include <patchgrip/friction/patch.h>
+
+namespace patchgrip::friction {
+
+using Long = long double;
+
+struct LocalExcess {
+  Long fx = 0, fy = 0, m = 0;
+
+  friend LocalExcess operator+(const LocalExcess& a, const LocalExcess& b) {
+    return {a.fx + b.fx, a.fy + b.fy, a.m + b.m};
+  }
+  friend LocalExcess operator*(Long k, const LocalExcess& a) { return {k * a.fx, k * a.fy, k * a.m}; }
+};
+
+// f(x - lo, hi - x), each component by itself.
+template <class F>
+LocalExcess integral_of(const F& f, Long lo, Long hi) {
+  const auto of = [&](Long LocalExcess::*part) {
+    return contact::integrate_to_both_ends<Long>([&](Long from_lo, Long to_hi) { return f(from_lo, to_hi).*part; }, lo,
+                                                 hi);
+  };
+  return {of(&LocalExcess::fx), of(&LocalExcess::fy), of(&LocalExcess::m)};
+}
+
+inline LocalExcess excess_at(const Twist& u, Long x, Long y) {
+  const Long ux = u.vx - u.w * y, uy = u.vy + u.w * x, speed = std::sqrt(ux * ux + uy * uy);
+  if (speed == 0) return {};
+  const Long k = std::exp(-speed * speed) / speed;
+  return {k * ux, k * uy, k * (x * uy - y * ux)};
+}
+
+// int_0^1 exp(-y l^2) l dl and int_0^1 exp(-y l^2) l^2 dl
+inline Long ray_force(Long y) { return y > 0 ? -std::expm1(-y) / (2 * y) : 0.5L; }
+inline Long ray_moment(Long y) {
+  if (y > 1) return (std::sqrt(std::numbers::pi_v<Long> / y) / 2 * std::erf(std::sqrt(y)) - std::exp(-y)) / (2 * y);
+  Long sum = 0, term = 1;
+  for (int k = 0; k < 25; ++k) {
+    sum += term / (2 * k + 3);
+    term *= -y / (k + 1);
+  }
+  return sum;
+}
+
+// What a triangle between the pole and a piece of boundary at d = P - M contributes; `cross` is d x dP. About the pole.
+inline LocalExcess ray_excess(Long dx, Long dy, Long cross, Long w) {
+  const Long R2 = dx * dx + dy * dy, R = std::sqrt(R2), y = w * w * R2;
+  if (R == 0) return {};
+  const Long k = std::copysign(cross, w < 0 ? -cross : cross);
+  return {-k * dy / R * ray_force(y), k * dx / R * ray_force(y), k * R * ray_moment(y)};
+}
+
+inline LocalExcess about_origin(LocalExcess g, Long X, Long Y) {
+  g.m += X * g.fy - Y * g.fx;
+  return g;
+}
+
+// A line load on the ellipse, uniform in the eccentric angle: a ring if round.
+inline LocalExcess ring_excess(Long a, Long b, const Twist& u) {
+  const Long pi = std::numbers::pi_v<Long>;
+  const Long pole = std::atan2(Long(u.vx) / b, -Long(u.vy) / a) + (u.w < 0 ? pi : 0);
+  const auto at = [&](Long angle) { return excess_at(u, a * std::cos(angle), b * std::sin(angle)); };
+  return 1 / (2 * pi) *
+         (integral_of([&](Long from, Long) { return at(pole + from); }, 0, pi) +
+          integral_of([&](Long from, Long) { return at(pole - from); }, 0, pi));
+}
+
+// The pressure ~ (1 - x^2/a^2 - y^2/b^2)^(n - 1/2) as a stack of such lines.
+inline LocalExcess power_ellipse_excess(Long a, Long b, Long n, const Twist& u) {
+  const Long level = u.w == 0 ? 1 : std::hypot(u.vy / a, u.vx / b) / std::fabs(Long(u.w));
+  const auto line = [&](Long x, Long one_minus_x) {
+    return (2 * n + 1) * x * std::pow(one_minus_x * (1 + x), n - 0.5L) * ring_excess(x * a, x * b, u);
+  };
+  if (level >= 1) return integral_of(line, 0, 1);
+  return integral_of([&](Long x, Long to_level) { return line(x, 1 - level + to_level); }, 0, level) +
+         integral_of([&](Long from_level, Long to_hi) { return line(level + from_level, to_hi); }, level, 1);
+}
+
+// About the pole up to three radii, beyond them as a stack.
+inline LocalExcess uniform_ellipse_excess(Long a, Long b, const Twist& u) {
+  const Long w = u.w, X = -u.vy / w, Y = u.vx / w;
+  if (w == 0 || std::hypot(X / a, Y / b) > 3) return power_ellipse_excess(a, b, 0.5L, u);
+  const Long pi = std::numbers::pi_v<Long>, pole = std::atan2(Y / b, X / a);
+  const auto at = [&](Long angle) {
+    const Long c = std::cos(angle), s = std::sin(angle), dx = a * c - X, dy = b * s - Y;
+    return ray_excess(dx, dy, dx * b * c + dy * a * s, w);
+  };
+  const LocalExcess sum = integral_of([&](Long from, Long) { return at(pole + from); }, 0, pi) +
+                          integral_of([&](Long from, Long) { return at(pole - from); }, 0, pi);
+  return about_origin(1 / (pi * a * b) * sum, X, Y);
+}
+
+// Triangles between the pole and the edges within two and a half radii, beyond them between the first vertex and the
+// edges.
+inline LocalExcess polygon_excess(const std::vector<std::vector<kernels::Vertex>>& rings, const PressureMoments& s,
+                                  const Twist& u) {
+  Long radius = 0, area = 0;
+  const auto& first = rings[0][0];
+  for (const auto& p : rings[0]) radius = std::max(radius, std::hypot(Long(p.x) - s.x, Long(p.y) - s.y));
+  const Long w = u.w;
+  const bool near = std::hypot(-u.vy - w * s.x, u.vx - w * s.y) < 2.5L * radius * std::fabs(w);
+  const Long X = near ? -u.vy / w : Long(first.x), Y = near ? u.vx / w : Long(first.y);
+  LocalExcess sum;
+  for (const auto& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      const Long px = p.x - X, py = p.y - Y, ex = Long(q.x) - p.x, ey = Long(q.y) - p.y, cross = px * ey - py * ex;
+      area += (p.x - Long(first.x)) * ey / 2 - (p.y - Long(first.y)) * ex / 2;
+      if (cross == 0) continue;
+      if (near) {
+        const Long foot = std::clamp(-(px * ex + py * ey) / (ex * ex + ey * ey), 0.0L, 1.0L);
+        const auto at = [&](Long t) { return ray_excess(px + t * ex, py + t * ey, cross, w); };
+        sum = sum + integral_of([&](Long, Long to_foot) { return at(foot - to_foot); }, 0, foot) +
+              integral_of([&](Long from_foot, Long) { return at(foot + from_foot); }, foot, 1);
+      } else {
+        sum = sum + integral_of(
+                        [&](Long t, Long) {
+                          return integral_of(
+                              [&](Long l, Long) {
+                                return cross * l * excess_at(u, X + l * (px + t * ex), Y + l * (py + t * ey));
+                              },
+                              0, 1);
+                        },
+                        0, 1);
+      }
+    }
+  }
+  return near ? about_origin(1 / area * sum, X, Y) : 1 / area * sum;
+}
+
+}  // namespace patchgrip::friction

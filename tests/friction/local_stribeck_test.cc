@@ -1,0 +1,200 @@
+#include <patchgrip/friction/local_stribeck.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <patchgrip/friction/any_patch.h>
+#include <patchgrip/friction/rectangle.h>
+#include <patchgrip/tests/friction/local_reference.h>
+#include <patchgrip/tests/friction/shapes.h>
+#include <patchgrip/tests/support/cases.h>
+
+namespace patchgrip::friction {
+namespace {
+
+using patchgrip::testing::cases;
+using patchgrip::testing::log_uniform;
+using patchgrip::testing::uniform;
+using std::numbers::pi;
+
+const Law stribeck = Law::stribeck(0.9, 0.5, 0.3);
+
+void expect_near(const Wrench& a, const Wrench& b, double force, double moment) {
+  EXPECT_LE(std::hypot(a.fx - b.fx, a.fy - b.fy), force);
+  EXPECT_LE(std::fabs(a.m - b.m), moment);
+}
+
+// Poles inside, next to the rim, outside, far and at infinity, about an ellipse; speeds from slow to fast.
+Twist random_twist(std::mt19937_64& engine, double a, double b) {
+  const double phi = uniform(engine, -pi, pi), c = a * std::cos(phi), s = b * std::sin(phi);
+  const double spin = (uniform(engine, 0, 1) < 0.5 ? 1 : -1) * log_uniform(engine, 1e-2, 30) / std::hypot(a, b);
+  switch (std::uniform_int_distribution<int>(0, 5)(engine)) {
+    case 0:
+      return {spin * c, spin * s, 0};
+    case 1: {
+      const double x = 1 + (spin > 0 ? 1 : -1) * log_uniform(engine, 1e-16, 0.1);
+      return twist_about({x * c, x * s}, spin);
+    }
+    case 2: {
+      const double x = log_uniform(engine, 1, 1e4);
+      return twist_about({x * c, x * s}, spin / x);
+    }
+    default: {
+      const double x = uniform(engine, 0, 2);
+      return twist_about({x * c, x * s}, spin);
+    }
+  }
+}
+
+// |found - exact| within the error that is stated, and that error of use. The reference is good to some 1e-18.
+void expect_within_error(const BoundedWrench& found, const LocalExcess& exact, double length, double of_use) {
+  constexpr double reference = 1e-17;
+  EXPECT_LE(std::hypot(found.value.fx - exact.fx, found.value.fy - exact.fy), found.force_error + reference);
+  EXPECT_LE(std::fabs(found.value.m - exact.m), found.moment_error + reference * length);
+  EXPECT_LE(found.force_error, of_use);
+  EXPECT_LE(found.moment_error, of_use * length);
+}
+
+TEST(LocalStribeck, OfAUniformEllipseIsWithinItsError) {
+  std::mt19937_64 engine(20060301);
+  for (int i = cases(24); i > 0; --i) {
+    const double a = log_uniform(engine, 1e-3, 10), b = i % 2 ? a : a * log_uniform(engine, 0.1, 10);
+    const Twist u = random_twist(engine, a, b);
+    expect_within_error(stribeck_excess(PowerEllipse{a, b, 0.5}, u), uniform_ellipse_excess(a, b, u), std::max(a, b),
+                        1e-14);
+  }
+}
+
+// Every other pressure of the family is a stack of uniform ellipses.
+TEST(LocalStribeck, OfOtherPressuresIsWithinItsError) {
+  std::mt19937_64 engine(20060302);
+  for (int i = cases(2); i > 0; --i) {
+    for (const double n : {0.0, 1.0}) {
+      const double b = i % 2 ? 1 : 0.4;
+      const Twist u = random_twist(engine, 1, b);
+      expect_within_error(stribeck_excess(PowerEllipse{1, b, n}, u), power_ellipse_excess(1, b, n, u), 1, 1e-14);
+    }
+  }
+}
+
+TEST(LocalStribeck, OfAPolygonIsWithinItsError) {
+  std::mt19937_64 engine(20060303);
+  for (const Shape& shape : {triangle, l_shape, slender_10}) {
+    const Polygon patch = shape.patch();
+    const PressureMoments s = patch.moments();
+    double radius = 0;
+    for (const Point& p : shape.outer) radius = std::max(radius, std::hypot(p.x - s.x, p.y - s.y));
+    for (int i = cases(6); i > 0; --i) {
+      const Twist c = random_twist(engine, radius, radius), u{c.vx + c.w * s.y, c.vy - c.w * s.x, c.w};
+      expect_within_error(stribeck_excess(patch, u), polygon_excess(shape.rings(), s, u), radius + std::hypot(s.x, s.y),
+                          1e-12);
+    }
+  }
+}
+
+TEST(LocalStribeck, InATranslationIsStribeckInTheMean) {
+  const auto compare = [](const auto& patch, double lever) {
+    for (const Twist& v : {Twist{0.1, 0.2, 0}, Twist{-0.3, 0, 0}, Twist{1e-9, 1e-9, 0}}) {
+      expect_near(local_friction_wrench(stribeck, 10, patch, v).value, friction_wrench(stribeck, 10, patch, v).value,
+                  1e-14, 1e-14 * lever);
+    }
+  };
+  compare(HertzDisc::of_radius(0.2), 0.2);
+  compare(Placed(Ring::of_radius(0.2), 1, 2), 3);
+  compare(l_shape.patch(), 2);
+}
+
+TEST(LocalStribeck, OfEqualCoefficientsIsCoulomb) {
+  const Law coulomb = Law::coulomb(0.7).with_viscous(0.2);
+  const UniformDisc disc = UniformDisc::of_radius(0.2);
+  const Twist v{0.1, -0.05, 2};
+  const BoundedWrench t = local_friction_wrench(coulomb, 3, disc, v), e = friction_wrench(coulomb, 3, disc, v);
+  expect_near(t.value, e.value, 0, 0);
+  EXPECT_EQ(t.force_error, e.force_error);
+  EXPECT_EQ(t.moment_error, e.moment_error);
+}
+
+// Slow against v_S everywhere: all of it at mu_s; fast: at mu_k, but for the points next to the pole.
+TEST(LocalStribeck, TendsToBothCoefficients) {
+  const auto compare = [](const auto& patch) {
+    for (const Twist& v : {Twist{0.1, -0.05, 2}, Twist{1, 2, 1}}) {
+      const auto local = [&](double v_S) {
+        return local_friction_wrench(Law::stribeck(0.9, 0.5, v_S), 1, patch, v).value;
+      };
+      expect_near(local(1e8), friction_wrench(Law::coulomb(0.9), 1, patch, v).value, 1e-14, 1e-14);
+      expect_near(local(1e-6), friction_wrench(Law::coulomb(0.5), 1, patch, v).value, 1e-9, 1e-9);
+    }
+  };
+  compare(UniformDisc::of_radius(0.2));
+  compare(FlatPunchDisc::of_radius(0.2));
+  compare(Rectangle::of_sides(0.3, 0.2));
+}
+
+TEST(LocalStribeck, NeverDrivesAndReversesWithTheMotion) {
+  std::mt19937_64 engine(20060304);
+  for (int i = cases(15); i > 0; --i) {
+    const Law law = Law::stribeck(uniform(engine, 0, 2), uniform(engine, 0, 2), log_uniform(engine, 0.05, 10));
+    const Twist v = random_twist(engine, 1, 0.5), back{-v.vx, -v.vy, -v.w};
+    const auto check = [&](const auto& patch) {
+      const BoundedWrench t = local_friction_wrench(law, 1, patch, v);
+      const double rounding = t.force_error * std::hypot(v.vx, v.vy) + t.moment_error * std::fabs(v.w);
+      EXPECT_LE(power(t.value, v), rounding);
+      expect_near(
+          t.value,
+          [&] {
+            const Wrench r = local_friction_wrench(law, 1, patch, back).value;
+            return Wrench{-r.fx, -r.fy, -r.m};
+          }(),
+          2 * t.force_error, 2 * t.moment_error);
+    };
+    check(HertzDisc::of_radius(0.7));
+    check(Rectangle::of_sides(2, 1));
+  }
+}
+
+TEST(LocalStribeck, TwoHalvesOfARectangleAreTheWhole) {
+  const Rectangle whole = Rectangle::of_sides(4, 1), half = Rectangle::of_sides(2, 1);
+  const Placed left(half, -1, 0), right(half, PlanarFrame{1, 0, pi});
+  for (const Twist& v : {Twist{0, 0, 0.2}, Twist{0.2, 0.1, 0.3}, Twist{0, 0.3, 0.1}, Twist{0.5, 4, -0.1}}) {
+    const Wrench l = local_friction_wrench(stribeck, 0.5, left, v).value;
+    const Wrench r = local_friction_wrench(stribeck, 0.5, right, v).value;
+    expect_near({l.fx + r.fx, l.fy + r.fy, l.m + r.m}, local_friction_wrench(stribeck, 1, whole, v).value, 1e-14,
+                2e-14);
+  }
+}
+
+// Next to two radii the triangles change from those about the pole to those about the centroid.
+TEST(LocalStribeck, OfAPolygonIsContinuousWhereTheWayChanges) {
+  const Rectangle patch = Rectangle::of_sides(2, 1);
+  const double r = 2 * std::hypot(1, 0.5);
+  const Wrench near = stribeck_excess(patch, twist_about({r * (1 - 1e-15), 0}, 0.3)).value;
+  const Wrench far = stribeck_excess(patch, twist_about({r * (1 + 1e-15), 0}, 0.3)).value;
+  expect_near(near, far, 1e-14, 1e-14);
+}
+
+TEST(LocalStribeck, TurnsWithThePatch) {
+  const PowerEllipse lying{2, 1, 1}, standing{1, 2, 1};
+  for (const Twist& u : {Twist{0.3, -0.1, 1}, Twist{2, 1, -0.5}, Twist{0, 0, 1}}) {
+    const Wrench g = stribeck_excess(lying, u).value, h = stribeck_excess(standing, {-u.vy, u.vx, u.w}).value;
+    expect_near({-g.fy, g.fx, g.m}, h, 2e-15, 2e-15);
+  }
+}
+
+TEST(LocalStribeck, AtRestThereIsNoFriction) {
+  const Wrench t = local_friction_wrench(stribeck, 10, HertzDisc::of_radius(1), {}).value;
+  EXPECT_TRUE(t.fx == 0 && t.fy == 0 && t.m == 0);
+}
+
+TEST(LocalStribeck, IsForPatchesWhosePressureItKnows) {
+  EXPECT_TRUE(LocalPatch<HertzDisc>);
+  EXPECT_TRUE(LocalPatch<Placed<Placed<Rectangle>>>);
+  EXPECT_FALSE(LocalPatch<AnyPatch>);
+  EXPECT_FALSE(LocalPatch<Placed<AnyPatch>>);
+}
+
+}  // namespace
+}  // namespace patchgrip::friction
