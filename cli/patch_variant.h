@@ -7,11 +7,13 @@
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/placed.h>
+#include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
 #include <patchgrip/friction/seed_hertz_disc.h>
+#include <patchgrip/friction/several.h>
 #include <patchgrip/friction/stamp_disc.h>
 #include <patchgrip/friction/twist.h>
 #include <patchgrip/friction/uniform_disc.h>
@@ -21,7 +23,7 @@ namespace patchgrip::cli {
 
 using PatchVariant = std::variant<friction::HertzDisc, friction::FlatPunchDisc, friction::UniformDisc, friction::Ring,
                                   friction::PowerDisc, friction::XydasKaoDisc, friction::Rectangle, friction::Polygon,
-                                  friction::SeedHertzDisc, friction::StampDisc>;
+                                  friction::SeedHertzDisc, friction::StampDisc, friction::PointLoad, friction::Several>;
 
 // f(patch) with the patch moved so that its own origin lies at `centre`.
 template <class F>

@@ -1,5 +1,5 @@
-// Sections viscous (4.49) and local_stribeck: wrenches of the laws of friction on a patch. Of local_stribeck, the law
-// in the mean (4.48) is covered.
+// Sections viscous (4.49) and local_stribeck: wrenches of the laws of friction on a patch, Stribeck's in the mean (4.48)
+// and at each point.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -9,6 +9,7 @@
 
 #include <patchgrip/cli/accuracy/sections.h>
 #include <patchgrip/friction/law.h>
+#include <patchgrip/friction/local_stribeck.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -40,13 +41,14 @@ PressureMoments moments_of(const TableContact& contact, Inputs inputs = Inputs::
 
 double second_moment(const PressureMoments& s) { return s.x * s.x + s.y * s.y + s.polar; }
 
+// `wrench(patch, law, F_N, v)` gives a BoundedWrench.
+template <class Friction>
 void compare_wrench(const AccuracyReport::Kind& kind, const TableContact& contact, const TableLaw& law,
                     const ExactTwist& v, std::span<const Exact> reference, const WrenchScale& scale,
-                    std::string_view place, AccuracyReport& report) {
+                    std::string_view place, AccuracyReport& report, const Friction& wrench) {
   const auto q = measure([&](Inputs inputs) {
     return contact.visit(inputs, [&](const auto& patch) {
-      const auto t =
-          friction_wrench(law.law(inputs), as_double(law.normal_force, inputs), patch, v.twist(inputs)).value;
+      const auto t = wrench(patch, law.law(inputs), as_double(law.normal_force, inputs), v.twist(inputs)).value;
       return std::array{t.fx, t.fy, t.m};
     });
   });
@@ -57,6 +59,24 @@ void compare_wrench(const AccuracyReport::Kind& kind, const TableContact& contac
   add("force", 0, 2, scale.force);
   add("moment", 2, 1, scale.moment);
 }
+
+constexpr auto in_the_mean = [](const auto& patch, const Law& law, double normal_force, const friction::Twist& v) {
+  return friction_wrench(law, normal_force, patch, v);
+};
+
+bool has_local_law(const TableContact& contact) {
+  return contact.visit(Inputs::rounded,
+                       [](const auto& patch) { return friction::LocalPatch<std::decay_t<decltype(patch)>>; });
+}
+
+// Only where has_local_law().
+constexpr auto at_each_point = [](const auto& patch, const Law& law, double normal_force, const friction::Twist& v) {
+  if constexpr (friction::LocalPatch<std::decay_t<decltype(patch)>>) {
+    return local_friction_wrench(law, normal_force, patch, v);
+  } else {
+    return friction::BoundedWrench{};
+  }
+};
 
 // Centroid s_0 and second moment s_1 about the origin, relative to the radius of gyration and to s_1.
 void compare_moments(const TableContact& contact, TableObject& fields, AccuracyReport& report) {
@@ -95,7 +115,7 @@ void compare_viscous(const TableNode& node, AccuracyReport& report) {
     const double force =
         static_cast<double>(mu * law.normal_force) * std::sqrt(mean_square_speed(moments, v.twist(Inputs::rounded)));
     compare_wrench({std::string(section), contact->type(), ""}, *contact, law, v, reference,
-                   {force, force * std::sqrt(second_moment(moments))}, row_node.place(), report);
+                   {force, force * std::sqrt(second_moment(moments))}, row_node.place(), report, in_the_mean);
     name_unread(row, section, report);
   }
   name_unread(fields, section, report);
@@ -118,12 +138,16 @@ void compare_local_stribeck(const TableNode& node, AccuracyReport& report) {
     const auto contact = TableContact::read(row["contact"], section, report);
     if (!contact) continue;
     const ExactTwist v = ExactTwist::read(row["twist"]);
-    const auto reference = row["mean_4_48"].numbers(3);
     const double mu = coefficient(law.law(Inputs::rounded), moments_of(*contact), v.twist(Inputs::rounded));
     const double force = mu * as_double(law.normal_force, Inputs::rounded);
     const double a_K = contact->visit(Inputs::rounded, [](const auto& patch) { return patch.area_radius(); });
-    compare_wrench({std::string(section), contact->type(), "mean "}, *contact, law, v, reference, {force, force * a_K},
-                   row_node.place(), report);
+    const auto compare = [&](const char* field, const char* name, const auto& wrench) {
+      const auto reference = row[field].numbers(3);
+      compare_wrench({std::string(section), contact->type(), name}, *contact, law, v, reference, {force, force * a_K},
+                     row_node.place(), report, wrench);
+    };
+    compare("mean_4_48", "mean ", in_the_mean);
+    if (has_local_law(*contact)) compare("local", "local ", at_each_point);
     name_unread(row, section, report);
   }
   name_unread(fields, section, report);

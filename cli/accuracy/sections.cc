@@ -19,13 +19,14 @@ struct Section {
   Compare compare;
 };
 
-constexpr std::array<Section, 10> sections{{{"wrench_integrals", compare_wrench_integrals},
+constexpr std::array<Section, 11> sections{{{"wrench_integrals", compare_wrench_integrals},
                                             {"entries", compare_contact_entries},
                                             {"hessian_S", compare_hessian_S},
                                             {"hessian_D", compare_hessian_D},
                                             {"limit_curve", compare_limit_curve},
                                             {"gauge", compare_gauge},
                                             {"stick_radius", compare_stick_radius},
+                                            {"multi_mu", compare_multi_mu},
                                             {"viscous", compare_viscous},
                                             {"local_stribeck", compare_local_stribeck},
                                             {"misc.example_4_8", compare_example_4_8}}};

@@ -19,6 +19,7 @@ void compare_hessian_D(const TableNode& section, AccuracyReport& report);
 void compare_limit_curve(const TableNode& section, AccuracyReport& report);
 void compare_gauge(const TableNode& section, AccuracyReport& report);
 void compare_stick_radius(const TableNode& section, AccuracyReport& report);
+void compare_multi_mu(const TableNode& section, AccuracyReport& report);
 void compare_viscous(const TableNode& section, AccuracyReport& report);
 void compare_local_stribeck(const TableNode& section, AccuracyReport& report);
 void compare_example_4_8(const TableNode& example, AccuracyReport& report);

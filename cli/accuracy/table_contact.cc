@@ -24,8 +24,9 @@ struct Shape {
   std::vector<Exact> inputs;
   std::function<PatchVariant(Sizes)> build;
   bool round = false;
-  bool partly_covered = false;  // the library has only some members of the family
-  std::size_t corners = 0;      // of a polygon: the first sizes are their coordinates
+  bool partly_covered = false;    // the library has only some members of the family
+  std::size_t corners = 0;        // of a polygon: the first sizes are their coordinates
+  std::vector<Shape> parts = {};  // of a union; behind the sizes of each: centre, normal force, coefficient
 
   std::vector<double> sizes(Inputs which) const {
     std::vector<double> values;
@@ -93,19 +94,6 @@ Shape read_polygon(TableObject& contact) {
   return {.inputs = std::move(coordinates), .build = build, .corners = corners};
 }
 
-std::optional<Shape> read_shape(const std::string& type, TableObject& contact) {
-  using namespace friction;
-  if (type == "hertz_disc") return read_disc<HertzDisc>(contact);
-  if (type == "uniform_disc") return read_disc<UniformDisc>(contact);
-  if (type == "flat_punch_disc") return read_disc<FlatPunchDisc>(contact);
-  if (type == "ring_line_load") return read_disc<Ring>(contact);
-  if (type == "power_disc") return read_disc_of_family<PowerDisc>(contact, "n", -0.5);
-  if (type == "xydas_kao_disc") return read_disc_of_family<XydasKaoDisc>(contact, "alpha", 0);
-  if (type == "rectangle_uniform") return read_rectangle(contact);
-  if (type == "polygon_uniform") return read_polygon(contact);
-  return std::nullopt;
-}
-
 std::array<Exact, 2> read_centre(TableObject& contact) {
   std::optional<TableObject::Length> centre = contact.find_length("centre");
   if (const auto bare = contact.find("centre")) {
@@ -117,13 +105,76 @@ std::array<Exact, 2> read_centre(TableObject& contact) {
   return {xy[0] * centre->factor, xy[1] * centre->factor};
 }
 
+std::optional<Shape> read_union(TableObject& contact, bool with_mu);
+
+std::optional<Shape> read_shape(const std::string& type, TableObject& contact) {
+  using namespace friction;
+  if (type == "hertz_disc") return read_disc<HertzDisc>(contact);
+  if (type == "uniform_disc") return read_disc<UniformDisc>(contact);
+  if (type == "flat_punch_disc") return read_disc<FlatPunchDisc>(contact);
+  if (type == "ring_line_load") return read_disc<Ring>(contact);
+  if (type == "power_disc") return read_disc_of_family<PowerDisc>(contact, "n", -0.5);
+  if (type == "xydas_kao_disc") return read_disc_of_family<XydasKaoDisc>(contact, "alpha", 0);
+  if (type == "rectangle_uniform") return read_rectangle(contact);
+  if (type == "polygon_uniform") return read_polygon(contact);
+  if (type == "union") return read_union(contact, false);
+  if (type == "union_mu") return read_union(contact, true);
+  return std::nullopt;
+}
+
+constexpr std::size_t place_and_weight = 4;  // x, y, F_N, mu
+
+// f(part, its sizes, its place and weight)
+template <class F>
+void for_each_part(const std::vector<Shape>& parts, Shape::Sizes sizes, F&& f) {
+  for (const Shape& part : parts) {
+    const std::size_t own = part.inputs.size();
+    f(part, sizes.first(own), sizes.subspan(own, place_and_weight));
+    sizes = sizes.subspan(own + place_and_weight);
+  }
+}
+
+// Nothing if one of the parts is not covered.
+std::optional<Shape> read_union(TableObject& contact, bool with_mu) {
+  Shape all;
+  for (const TableNode& node : contact["parts"].filled()) {
+    TableObject fields(node);
+    auto part = read_shape(fields["type"].text(), fields);
+    if (!part) return std::nullopt;
+    const auto centre = read_centre(fields);
+    const Exact force = fields[with_mu ? "F_N" : "share"].positive();
+    const Exact mu = with_mu ? fields["mu"].positive() : 1;
+    if (!fields.unread().empty()) return std::nullopt;
+    all.inputs.insert(all.inputs.end(), part->inputs.begin(), part->inputs.end());
+    all.inputs.insert(all.inputs.end(), {centre[0], centre[1], force, mu});
+    all.partly_covered |= part->partly_covered;
+    all.parts.push_back(*std::move(part));
+  }
+  all.build = [parts = all.parts](Shape::Sizes sizes) -> PatchVariant {
+    std::vector<friction::Several::Part> built;
+    for_each_part(parts, sizes, [&](const Shape& part, Shape::Sizes own, Shape::Sizes more) {
+      visit_patch(part.build(own), {more[0], more[1]}, [&](const auto& patch) {
+        built.push_back({patch, more[2], more[3]});
+      });
+    });
+    return friction::Several::of_parts(std::move(built));
+  };
+  return all;
+}
+
 // Distance of the farthest point of the patch from the centroid of its pressure.
-double extent_of(const Shape& shape, const PatchVariant& patch) {
-  const std::vector<double> s = shape.sizes(Inputs::rounded);
+double extent_of(const Shape& shape, Shape::Sizes s, const PatchVariant& patch) {
   if (shape.round) return s[0];
-  if (shape.corners == 0) return std::hypot(s[0], s[1]) / 2;
   const auto centroid = std::visit([](const auto& p) { return p.moments(); }, patch);
   double farthest = 0;
+  if (!shape.parts.empty()) {
+    for_each_part(shape.parts, s, [&](const Shape& part, Shape::Sizes own, Shape::Sizes more) {
+      const double away = std::hypot(more[0] - centroid.x, more[1] - centroid.y);
+      farthest = std::max(farthest, away + extent_of(part, own, part.build(own)));
+    });
+    return farthest;
+  }
+  if (shape.corners == 0) return std::hypot(s[0], s[1]) / 2;
   for (std::size_t i = 0; i < shape.corners; ++i) {
     farthest = std::max(farthest, std::hypot(s[2 * i] - centroid.x, s[2 * i + 1] - centroid.y));
   }
@@ -170,7 +221,7 @@ std::optional<TableContact> TableContact::read(const TableNode& node, std::strin
     const auto instance = [&](Inputs inputs) -> Instance {
       return {moved_patch(*shape, patch, inputs), centre_as(inputs)};
     };
-    return TableContact({type, shape->round, exact, extent_of(*shape, patch)},
+    return TableContact({type, shape->round, exact, extent_of(*shape, shape->sizes(Inputs::rounded), patch)},
                         {instance(Inputs::rounded), instance(Inputs::narrow_before), instance(Inputs::narrow_beyond),
                          instance(Inputs::wide_before), instance(Inputs::wide_beyond)});
   } catch (const std::invalid_argument& error) {
