@@ -11,11 +11,12 @@
 // Units    x, y [m], angle [rad].
 // Error    carried; measured in tests/friction/placed_test.cc.
 // Throws   std::invalid_argument unless x, y and angle are finite.
-// Fails    a point or line load bends D without limit. At a patch's own origin (PointLoad) or in its own coordinates
-//          (LineLoad) it is told exactly where the pole is; inside a patch that is moved as a whole it is not, and
-//          closer than some roundings to it the error is not bounded: place such parts one by one (several.h).
+// Fails    a point load bends D without limit. At its own origin it is told exactly where the pole is; inside several
+//          patches that are moved as a whole it is not, and with the pole closer to it than some roundings the error is
+//          not bounded: place such parts one by one (several.h).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -85,6 +86,7 @@ class Placed {
     constexpr double unit = 0x1p-53;
     const double speed = std::hypot(u.vx, u.vy);
     const double radius = patch_.area_radius();
+    const double lever = std::max(radius, std::sqrt(patch_.moments().polar));
     const double slope = speed + radius * std::fabs(u.w);
     // Moving v by a relative rounding moves force and moment by at most |H| |dv|, and H (|v| + a |w|) <= 16 but for a
     // ring whose rim the pole meets closer than doubles tell. A turn takes four roundings more: cosine and sine,
@@ -94,7 +96,7 @@ class Placed {
     const double force = std::hypot(g.value.fx, g.value.fy);
     const double arm = std::fabs(x_) + std::fabs(y_);
     g.force_error += shift + (is_turned() ? 4 * unit * force : 0);
-    g.moment_error += shift * radius + arm * (g.force_error + 3 * unit * force);
+    g.moment_error += shift * lever + arm * (g.force_error + 3 * unit * force);
     g.value = moved(turned(g.value));
     g.moment_error += 2 * unit * std::fabs(g.value.m);
     return g;

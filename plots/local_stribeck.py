@@ -1,0 +1,53 @@
+"""Where Stribeck's law in the mean is good enough: its distance from the law at each point, over pole and speed."""
+
+import csv
+
+import numpy as np
+import style
+from matplotlib.colors import LogNorm
+from style import BLACK, plt
+
+PATCHES = {
+    "hertz_disc": ("Hertz disc", "distance of the pole / radius [-]"),
+    "rectangle_4_1": ("rectangle 4 : 1, pole on its long axis", "distance of the pole / half the long side [-]"),
+}
+LEVELS = [1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1]
+
+
+def read(path):
+    """{patch: (poles, speeds, larger of both differences)}"""
+    rows = {}
+    with path.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            worst = max(float(row["force"]), float(row["moment"]))
+            rows.setdefault(row["patch"], {})[float(row["pole"]), float(row["v_m_over_v_S"])] = worst
+    result = {}
+    for patch, points in rows.items():
+        poles, speeds = (np.array(sorted(set(axis))) for axis in zip(*points))
+        result[patch] = poles, speeds, np.array([[points[p, s] for p in poles] for s in speeds])
+    return result
+
+
+def main():
+    options = style.arguments(__doc__, 1)
+    compared = read(options.input[0])
+    figure, all_axes = plt.subplots(1, 2, sharey=True, figsize=(style.PAGE, 3.2))
+    for axes, (patch, (name, pole)) in zip(all_axes, PATCHES.items()):
+        poles, speeds, apart = compared[patch]
+        apart = np.maximum(apart, LEVELS[0] / 10)
+        filled = axes.contourf(poles, speeds, apart, LEVELS, norm=LogNorm(LEVELS[0], LEVELS[-1]), cmap="Blues", extend="min")
+        lines = axes.contour(poles, speeds, apart, LEVELS, colors=BLACK, linewidths=0.6)
+        axes.clabel(lines, fmt=lambda level: f"{level:g}", fontsize=7)
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.set_xlabel(pole)
+        axes.set_title(name, loc="left")
+        axes.grid(False)
+    all_axes[0].set_ylabel(r"mean speed $v_m / v_S$ [-]")
+    bar = figure.colorbar(filled, ax=all_axes, ticks=LEVELS, format=lambda level, _: f"{level:g}")
+    bar.set_label(r"|local $-$ mean| per $(\mu_s - \mu_k) F_N$ [-]")
+    style.save(figure, options.output)
+
+
+if __name__ == "__main__":
+    main()
