@@ -24,7 +24,7 @@ namespace {
 
 using namespace patchgrip::friction;
 
-constexpr int per_decade = 10;
+constexpr int per_decade = 16;
 
 struct Worst {
   double force = 0;

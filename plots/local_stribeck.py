@@ -15,12 +15,12 @@ LEVELS = [1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1]
 
 
 def read(path):
-    """{patch: (poles, speeds, larger of both differences)}"""
+    """{patch: (poles, speeds, size of both differences together)}"""
     rows = {}
     with path.open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
-            worst = max(float(row["force"]), float(row["moment"]))
-            rows.setdefault(row["patch"], {})[float(row["pole"]), float(row["v_m_over_v_S"])] = worst
+            apart = np.hypot(float(row["force"]), float(row["moment"]))
+            rows.setdefault(row["patch"], {})[float(row["pole"]), float(row["v_m_over_v_S"])] = apart
     result = {}
     for patch, points in rows.items():
         poles, speeds = (np.array(sorted(set(axis))) for axis in zip(*points))
@@ -36,8 +36,7 @@ def main():
         poles, speeds, apart = compared[patch]
         apart = np.maximum(apart, LEVELS[0] / 10)
         filled = axes.contourf(poles, speeds, apart, LEVELS, norm=LogNorm(LEVELS[0], LEVELS[-1]), cmap="Blues", extend="min")
-        lines = axes.contour(poles, speeds, apart, LEVELS, colors=BLACK, linewidths=0.6)
-        axes.clabel(lines, fmt=lambda level: f"{level:g}", fontsize=7)
+        axes.contour(poles, speeds, apart, LEVELS, colors=BLACK, linewidths=0.5)
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.set_xlabel(pole)
