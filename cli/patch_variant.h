@@ -7,7 +7,6 @@
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/placed.h>
-#include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/rectangle.h>
@@ -23,7 +22,7 @@ namespace patchgrip::cli {
 
 using PatchVariant = std::variant<friction::HertzDisc, friction::FlatPunchDisc, friction::UniformDisc, friction::Ring,
                                   friction::PowerDisc, friction::XydasKaoDisc, friction::Rectangle, friction::Polygon,
-                                  friction::SeedHertzDisc, friction::StampDisc, friction::PointLoad, friction::Several>;
+                                  friction::SeedHertzDisc, friction::StampDisc, friction::Several>;
 
 // f(patch) with the patch moved so that its own origin lies at `centre`.
 template <class F>
