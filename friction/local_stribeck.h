@@ -3,8 +3,8 @@
 //     t = -int mu(|v_P|) (v_P / |v_P|) [1; P x] p dA,    mu(v) = mu_k + (mu_s - mu_k) exp(-v^2 / v_S^2)
 //
 // (4.45 to 4.47 with the coefficient under the integral). Stribeck in the mean (law.h, seed 4.48) takes mu at the mean
-// speed v_m instead and lets the patch keep the shape of its limit surface; both agree in translations, and where v_m is
-// far from v_S. plots/local_stribeck.py shows how far apart they are elsewhere.
+// speed v_m instead and lets the patch keep the shape of its limit surface; both agree in translations, and where v_m
+// is far from v_S. plots/local_stribeck.py shows how far apart they are elsewhere.
 //
 // Coulomb friction with mu_k is exact (law.h); what is integrated is the excess, with u = v / v_S
 //

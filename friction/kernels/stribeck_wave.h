@@ -7,8 +7,8 @@
 //     g(t) = (pi / 2) sgn(t) exp(-z) [I_0(z) - 2 z (I_0(z) - I_1(z))],   z = t^2 / 2
 //
 // g is the slope of (pi / 2) |t| exp(-z) I_0(z), whose mean over the directions is the error function (term by term:
-// the mean of |cos|^(2j+1) is (2/pi) (2j)!!/(2j+1)!!). g(0+) = pi / 2, which alone gives Coulomb's u / |u|, and far away
-// g ~ -sqrt(pi) / (4 t^3).
+// the mean of |cos|^(2j+1) is (2/pi) (2j)!!/(2j+1)!!). g(0+) = pi / 2, which alone gives Coulomb's u / |u|, and far
+// away g ~ -sqrt(pi) / (4 t^3).
 //
 // Up to t = 8 a table of polynomials, made once from the Bessel functions; beyond it the series in 1 / t.
 //

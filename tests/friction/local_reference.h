@@ -78,7 +78,8 @@ inline LocalExcess ring_excess(Long a, Long b, const Twist& u) {
 
 // The pressure ~ (1 - x^2/a^2 - y^2/b^2)^(n - 1/2) as a stack of such lines.
 inline LocalExcess power_ellipse_excess(Long a, Long b, Long n, const Twist& u) {
-  const Long level = u.w == 0 ? 1 : std::hypot(u.vy / a, u.vx / b) / std::fabs(Long(u.w));
+  if (u.w == 0) return excess_at(u, 0, 0);  // the same everywhere
+  const Long level = std::hypot(u.vy / a, u.vx / b) / std::fabs(Long(u.w));
   const auto line = [&](Long x, Long one_minus_x) {
     return (2 * n + 1) * x * std::pow(one_minus_x * (1 + x), n - 0.5L) * ring_excess(x * a, x * b, u);
   };
