@@ -74,7 +74,7 @@ TEST(LocalStribeck, OfOtherPressuresIsWithinItsError) {
   std::mt19937_64 engine(20060302);
   for (int i = cases(1); i > 0; --i) {
     for (const double n : {0.0, 1.0}) {
-      const double b = i % 2 ? 1 : 0.4;
+      const double b = i % 2 ? 0.4 : 1;
       const Twist u = random_twist(engine, 1, b);
       expect_within_error(stribeck_excess(PowerEllipse{1, b, n}, u), power_ellipse_excess(1, b, n, u), 1, 1e-14);
     }
