@@ -9,6 +9,7 @@
 
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/power_disc.h>
@@ -23,8 +24,9 @@
 namespace patchgrip::friction {
 
 using TestedPatch =
-    std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc, Rectangle, Polygon,
-                 Placed<HertzDisc>, Placed<Ring>, Placed<Polygon>, Placed<Rectangle>, Several>;
+    std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc, HertzEllipse,
+                 Rectangle, Polygon, Placed<HertzDisc>, Placed<HertzEllipse>, Placed<Ring>, Placed<Polygon>,
+                 Placed<Rectangle>, Several>;
 
 struct NamedPatch {
   std::string name;
@@ -56,14 +58,16 @@ struct NamedPatch {
   }
 };
 
-inline std::vector<Pole> rim(double radius, double x = 0, double y = 0) {
+inline std::vector<Pole> elliptic_rim(double a, double b, double x = 0, double y = 0) {
   std::vector<Pole> result;
   for (int i = 0; i < 8; ++i) {
     const double phi = std::numbers::pi * i / 4;
-    result.push_back({x + radius * std::cos(phi), y + radius * std::sin(phi)});
+    result.push_back({x + a * std::cos(phi), y + b * std::sin(phi)});
   }
   return result;
 }
+
+inline std::vector<Pole> rim(double radius, double x = 0, double y = 0) { return elliptic_rim(radius, radius, x, y); }
 
 inline std::vector<Pole> corners_and_sides(const PointRing& ring, double x = 0, double y = 0) {
   std::vector<Pole> result;
@@ -90,11 +94,19 @@ inline const std::vector<NamedPatch>& every_patch() {
     disc("XydasKaoDisc", XydasKaoDisc::of_radius(0.01, 0.7));
     disc("StampDisc", StampDisc::of_punches(
                           0.01, [](double s) { return 2 * s / (0.01 * 0.01); }, 1));
+    const auto ellipse = [&](const char* name, double a, double b) {
+      all.push_back({name, HertzEllipse::of_semi_axes(a, b), elliptic_rim(a, b)});
+    };
+    ellipse("HertzEllipse", 0.02, 0.03);
+    ellipse("HertzEllipseAlmostRound", 1, 1.0001);
+    ellipse("HertzEllipseSlender", 0.5, 0.0004);
     all.push_back({"Rectangle", Rectangle::of_sides(0.3, 0.05), corners_and_sides(box(-0.15, -0.025, 0.15, 0.025))});
     for (const Shape& shape : {triangle, l_shape, frame, comb, slender_100}) {
       all.push_back({shape.name, shape.patch(), corners_and_sides(shape.outer)});
     }
     all.push_back({"PlacedHertzDisc", Placed(HertzDisc::of_radius(0.5), 3, -2), rim(0.5, 3, -2)});
+    all.push_back(
+        {"PlacedHertzEllipse", Placed(HertzEllipse::of_semi_axes(0.5, 0.1), 3, -2), elliptic_rim(0.5, 0.1, 3, -2)});
     all.push_back({"PlacedRing", Placed(Ring::of_radius(0.5), -0.25, 1), rim(0.5, -0.25, 1)});
     all.push_back({"PlacedPolygon", Placed(l_shape.patch(), 0.5, 2), corners_and_sides(l_shape.outer, 0.5, 2)});
     const Placed turned_rectangle(Rectangle::of_sides(0.3, 0.05), PlanarFrame{-1, 0.4, 0.7});
