@@ -19,6 +19,7 @@
 
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/law.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/point_load.h>
@@ -31,6 +32,7 @@
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/friction/xydas_kao_disc.h>
 
+#include "ellipse_reference.h"
 #include "frame_reference.h"
 #include "polygon_reference.h"
 #include "stack_reference.h"
@@ -267,6 +269,34 @@ Case framed_case(Draw& draw, const FramedPatch& p) {
           exact_friction(drawn, p.moments, p.gradient(twist.vx, twist.vy, twist.w), twist)};
 }
 
+// `away` in major semi-axes from the origin.
+std::function<Case(Draw&)> ellipse_cases(Draw& draw, double least_aspect, double largest_aspect, double away) {
+  const double a = draw.log_uniform(1e-6, 1e2);
+  const double aspect = draw.log_uniform(least_aspect, largest_aspect);
+  const double b = draw.coin() ? a * aspect : a / aspect;
+  const double major = std::max(a, b), minor = std::min(a, b);
+  const double x = draw.uniform(-away, away) * major, y = draw.uniform(-away, away) * major;
+  const Placed patch(HertzEllipse::of_semi_axes(a, b), x, y);
+  const EllipseReference reference(a, b);
+  const Real50 polar = (Real50(a) * a + Real50(b) * b) / 5;
+  return [=](Draw& d) -> Case {
+    const auto [twist, far] = draw_twist(d, x, y, major, [&](Draw& s) -> std::optional<Pole> {
+      const auto rim = on_rim(s, 1);
+      if (s.coin()) return Pole{x + a * rim->x, y + b * rim->y};
+      // Next to a long side: a slender ellipse has little else nearby.
+      const double along = major * s.uniform(-1.1, 1.1), off = minor * s.log_uniform(0.01, 100) * (s.coin() ? 1 : -1);
+      return a > b ? Pole{x + along, y + off} : Pole{x + off, y + along};
+    });
+    const DrawnLaw drawn = draw_law(d);
+    Wrench50 g = reference.gradient(twist.vx - Real50(twist.w) * y, twist.vy + Real50(twist.w) * x, twist.w);
+    g.m += x * g.fy - y * g.fx;
+    return {far,
+            away == 0 ? friction_wrench(drawn.law, drawn.normal_force, patch.patch(), twist)
+                      : friction_wrench(drawn.law, drawn.normal_force, patch, twist),
+            exact_friction(drawn, {x, y, polar}, g, twist)};
+  };
+}
+
 struct Kind {
   std::string name;
   std::function<Case(Draw&)> draw;
@@ -327,6 +357,12 @@ std::vector<Kind> kinds() {
                       return round_case(draw, SeedHertzDisc::of_radius(draw.log_uniform(1e-6, 1e2)), *hertz,
                                         Real50(2) / 5);
                     }});
+  const auto ellipse = [&](const char* name, double least, double largest, double away) {
+    result.push_back({name, reuse(20, [=](Draw& draw) { return ellipse_cases(draw, least, largest, away); })});
+  };
+  ellipse("hertz_ellipse", 1 + 1e-6, 10, 0);
+  ellipse("slender_hertz_ellipse", 10, 1e6, 0);
+  ellipse("placed_hertz_ellipse", 1 + 1e-6, 1e3, 20);
   result.push_back(
       {"rectangle", [](Draw& draw) {
          const double lx = draw.log_uniform(1e-6, 1e2);

@@ -16,7 +16,6 @@
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
-#include <boost/math/special_functions/ellint_rg.hpp>
 
 #include <patchgrip/tests/friction/round_reference.h>
 
@@ -43,7 +42,7 @@ class EllipseReference {
     const Real F = 2 * boost::math::ellint_rf(lambda, al, be);
     const Real A = 2 * boost::math::ellint_rd(lambda, be, al) / 3;
     const Real B = 2 * boost::math::ellint_rd(lambda, al, be) / 3;
-    const Real G = boost::math::ellint_rg(lambda, al, be);
+    const Real G = al * F - a2_ * c * A + 2 * sqrt(lambda * be / al);  // 4 R_G (DLMF 19.21.10)
     const Real d = sqrt(lambda * al * be);
     const Real Pa = F - a2_ * A, Pb = F - b2_ * B;
     const Real Qab = (a2_ * A - b2_ * B) / c;
@@ -52,7 +51,7 @@ class EllipseReference {
     const Real Sx = 3 * x * (Pa - x2 * Qaa - y2 * Qab) / 4;
     const Real Sy = 3 * y * (Pb - x2 * Qab - y2 * Qbb) / 4;
     const Real S =
-        3 * (4 * G - lambda * F + 2 * x2 * Pa + 2 * y2 * Pb - x2 * x2 * Qaa - 2 * x2 * y2 * Qab - y2 * y2 * Qbb) / 16;
+        3 * (G - lambda * F + 2 * x2 * Pa + 2 * y2 * Pb - x2 * x2 * Qaa - 2 * x2 * y2 * Qab - y2 * y2 * Qbb) / 16;
     const int sense = w < 0 ? -1 : 1;
     return {Real50(sense * Sy), Real50(-sense * Sx), Real50(sense * (S - x * Sx - y * Sy))};
   }
