@@ -6,6 +6,7 @@
 
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/power_disc.h>
@@ -21,8 +22,9 @@
 namespace patchgrip::cli {
 
 using PatchVariant = std::variant<friction::HertzDisc, friction::FlatPunchDisc, friction::UniformDisc, friction::Ring,
-                                  friction::PowerDisc, friction::XydasKaoDisc, friction::Rectangle, friction::Polygon,
-                                  friction::SeedHertzDisc, friction::StampDisc, friction::Several>;
+                                  friction::PowerDisc, friction::XydasKaoDisc, friction::HertzEllipse,
+                                  friction::Rectangle, friction::Polygon, friction::SeedHertzDisc, friction::StampDisc,
+                                  friction::Several>;
 
 // f(patch) with the patch moved so that its own origin lies at `centre`.
 template <class F>

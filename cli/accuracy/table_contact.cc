@@ -24,6 +24,7 @@ struct Shape {
   std::vector<Exact> inputs;
   std::function<PatchVariant(Sizes)> build;
   bool round = false;
+  bool half_axes = false;         // the sizes are those of an ellipse
   bool partly_covered = false;    // the library has only some members of the family
   std::size_t corners = 0;        // of a polygon: the first sizes are their coordinates
   std::vector<Shape> parts = {};  // of a union; behind the sizes of each: centre, normal force, coefficient
@@ -53,6 +54,12 @@ Shape read_disc_of_family(TableObject& contact, std::string_view parameter, doub
           .build = [](Shape::Sizes s) -> PatchVariant { return Disc::of_radius(s[0], s[1]); },
           .round = true,
           .partly_covered = true};
+}
+
+Shape read_ellipse(TableObject& contact) {
+  return {.inputs = {contact.length("semi_axis_xi").metres(), contact.length("semi_axis_eta").metres()},
+          .build = [](Shape::Sizes s) -> PatchVariant { return friction::HertzEllipse::of_semi_axes(s[0], s[1]); },
+          .half_axes = true};
 }
 
 Shape read_rectangle(TableObject& contact) {
@@ -115,6 +122,7 @@ std::optional<Shape> read_shape(const std::string& type, TableObject& contact) {
   if (type == "ring_line_load") return read_disc<Ring>(contact);
   if (type == "power_disc") return read_disc_of_family<PowerDisc>(contact, "n", -0.5);
   if (type == "xydas_kao_disc") return read_disc_of_family<XydasKaoDisc>(contact, "alpha", 0);
+  if (type == "hertz_ellipse") return read_ellipse(contact);
   if (type == "rectangle_uniform") return read_rectangle(contact);
   if (type == "polygon_uniform") return read_polygon(contact);
   if (type == "union") return read_union(contact, false);
@@ -165,6 +173,7 @@ std::optional<Shape> read_union(TableObject& contact, bool with_mu) {
 // Distance of the farthest point of the patch from the centroid of its pressure.
 double extent_of(const Shape& shape, Shape::Sizes s, const PatchVariant& patch) {
   if (shape.round) return s[0];
+  if (shape.half_axes) return std::max(s[0], s[1]);
   const auto centroid = std::visit([](const auto& p) { return p.moments(); }, patch);
   double farthest = 0;
   if (!shape.parts.empty()) {
