@@ -5,7 +5,7 @@
 // Chebyshev interpolation converges at least like 5.8^-degree. The exponent of l picks the row; a slender ellipse has
 // log2(1/b) more of them.
 //
-// Error    <= 2 units of 2^-53 of each integral, before its evaluation; tests/friction/hertz_ellipse_test.cc.
+// Error    <= 8 units of 2^-53 of each integral, evaluation included; tests/friction/ellipse_table_test.cc.
 #pragma once
 
 #include <array>
