@@ -62,7 +62,7 @@ std::vector<Case> cases_to_run(bool is_short) {
   std::vector<Case> cases = patchgrip::bench::work_precision_cases();
   if (is_short) return cases;
   for (auto* more : {patchgrip::bench::hertz_cases, patchgrip::bench::batch_cases, patchgrip::bench::round_cases,
-                     patchgrip::bench::polygon_cases}) {
+                     patchgrip::bench::ellipse_cases, patchgrip::bench::polygon_cases}) {
     std::ranges::move(more(), std::back_inserter(cases));
   }
   return cases;

@@ -6,6 +6,7 @@
 
 #include <patchgrip/bench/poles.h>
 #include <patchgrip/friction/flat_punch_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/rectangle.h>
@@ -94,6 +95,25 @@ std::vector<Case> round_cases() {
   add("ring", friction::Ring::of_radius(radius), power_disc_truth(radius, -0.5, few));
   add("power_disc", friction::PowerDisc::of_radius(radius, 0.3), power_disc_truth(radius, 0.3, few));
   add("xydas_kao_disc", friction::XydasKaoDisc::of_radius(radius, 1.8), xydas_kao_truth(radius, 1.8, few.first(30)));
+  return cases;
+}
+
+std::vector<Case> ellipse_cases() {
+  std::vector<Case> cases;
+  for (const double aspect : {2.0, 100.0}) {
+    const double minor = radius / aspect;
+    const auto patch =
+        std::make_shared<const friction::HertzEllipse>(friction::HertzEllipse::of_semi_axes(radius, minor));
+    PoleSet inside = inside_poles(radius, count);
+    for (double& y : inside.y) y /= aspect;
+    for (const PoleSet& poles :
+         {mixed_poles(radius, count), near_poles(radius, count), outside_poles(radius, count), inside}) {
+      const SharedTwists twists = share_twists(poles);
+      const Truth truth = hertz_ellipse_truth(radius, minor, std::span(*twists).first(judged));
+      cases.push_back(
+          scalar_case({"exact", aspect, "hertz_ellipse", poles.mix}, patch, twists, truth, patch->area_radius()));
+    }
+  }
   return cases;
 }
 

@@ -85,6 +85,12 @@ void print_patches(const Ratios& r) {
   for (const char* patch : {"flat_punch_disc", "uniform_disc", "ring", "power_disc", "xydas_kao_disc"}) {
     r.at_most(fmt::format("{} / Hertz disc, mixed poles", patch), 1.5, r.ns({"exact", 0, patch, "mixed"}) / hertz);
   }
+  for (const double aspect : {2.0, 100.0}) {
+    for (const auto& [mix, limit] : {std::pair{"inside", 2.0}, std::pair{"near", 5.0}, std::pair{"outside", 5.0}}) {
+      r.at_most(fmt::format("Hertz ellipse {}:1, {} poles / Hertz disc, mixed poles", aspect, mix), limit,
+                r.ns({"exact", aspect, "hertz_ellipse", mix}) / hertz);
+    }
+  }
   for (const auto& [edges, limit] : {std::pair{3, 2.5}, std::pair{8, 2.5}, std::pair{64, 1.5}}) {
     const double an_edge = r.ns({"exact", double(edges), "polygon", "box"}) / edges;
     r.at_most(fmt::format("polygon of {} edges, per edge / std::asinh", edges), limit,
@@ -104,6 +110,7 @@ void print_ratios(std::ostream& out, std::span<const Measurement> measurements) 
   for (const char* patch : {"hertz_disc", "flat_punch_disc", "uniform_disc", "ring", "power_disc", "xydas_kao_disc"}) {
     ratios.at_most(patch, 8, worst_units(measurements, "exact", patch));
   }
+  ratios.at_most("hertz_ellipse", 20, worst_units(measurements, "exact", "hertz_ellipse"));
   ratios.at_most("hertz_disc, batch", 8, worst_units(measurements, "batch", "hertz_disc"));
 }
 

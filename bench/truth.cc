@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <patchgrip/friction/kernels/round_functions.h>
+#include <patchgrip/tests/friction/ellipse_reference.h>
 #include <patchgrip/tests/friction/polygon_reference.h>
 #include <patchgrip/tests/friction/round_reference.h>
 #include <patchgrip/tests/friction/stack_reference.h>
@@ -44,6 +45,11 @@ Truth power_disc_truth(double radius, double exponent, std::span<const Twist> tw
 Truth xydas_kao_truth(double radius, double alpha, std::span<const Twist> twists) {
   const friction::StackReference<Real50> source(alpha);
   return truth_of(twists, [&](const Twist& v) { return friction::round_wrench(source, radius, v); });
+}
+
+Truth hertz_ellipse_truth(double a, double b, std::span<const Twist> twists) {
+  const friction::EllipseReference reference(a, b);
+  return truth_of(twists, [&](const Twist& v) { return reference.gradient(v); });
 }
 
 Truth polygon_truth(const std::vector<friction::Point>& polygon, std::span<const Twist> twists) {

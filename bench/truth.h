@@ -21,6 +21,8 @@ using Truth = std::vector<TrueWrench>;
 Truth power_disc_truth(double radius, double exponent, std::span<const friction::Twist> twists);
 // p ~ (1 - (r/a)^alpha)^(1/alpha), as a stack of uniform discs: slow.
 Truth xydas_kao_truth(double radius, double alpha, std::span<const friction::Twist> twists);
+// Hertz pressure on an ellipse with the semi-axes a along x and b along y, a not equal to b.
+Truth hertz_ellipse_truth(double a, double b, std::span<const friction::Twist> twists);
 // Uniform pressure on a polygon, counterclockwise.
 Truth polygon_truth(const std::vector<friction::Point>& polygon, std::span<const friction::Twist> twists);
 
