@@ -1,0 +1,103 @@
+// Gauge of a limit surface taken for an ellipsoid, with the proven error of that on either side.
+//
+//     g(t) = sqrt(t . A t)      about the centre of pressure,      D(v) = sqrt(v . A^-1 v)
+//
+// A load t holds if g(t) <= mu F_N. Every limit surface of a patch is centrally symmetric, so an ellipsoid about the
+// centre of pressure can stand for it. Which one:
+//
+//     axis           F^2 + M^2 / l^2, the soft-finger ellipsoid of Howe and Cutkosky (1996), with l = M_0 / (mu F_N).
+//                    Of round patches it touches the surface from outside: never too large, so unsafe, by up to 6.1 %
+//                    (Hertz). Of others it may err on either side.
+//     least_squares  A fitted to t . A t = 1 over wrenches of the limit surface.
+//     even           the least error of all ellipsoids: as much too large as too small.
+//     inner          of the greatest volume inside the limit surface (John): never too small, so safe.
+//     enclosing      of the least volume about it (Loewner): never too large.
+//
+// The best safe ellipsoid is even().safe(): of all ellipsoids inside it asks for the least excess of grip at worst.
+//
+// Error    (1 - largest_deficit()) g <= gauge <= (1 + largest_excess()) g for every load, proven by bisection over all
+//          directions (support_ratio.h) and above the true maxima by <= 1e-6.
+// Domain   every patch; loads whose squares neither overflow nor underflow.
+// Units    wrench [N], [N], [N m]; gauge [N]; the gauge is the least mu F_N that holds the load.
+// Throws   std::invalid_argument where a scale is not positive and finite; std::runtime_error if a fit is no ellipsoid.
+#pragma once
+
+#include <array>
+
+#include <patchgrip/friction/limit_surface/support_ratio.h>
+
+namespace patchgrip::friction {
+
+class EllipsoidGauge {
+ public:
+  template <Patch P>
+  static EllipsoidGauge axis(const P& patch) {
+    return make(patch, axis_shape);
+  }
+  template <Patch P>
+  static EllipsoidGauge least_squares(const P& patch) {
+    return make(patch, least_squares_shape);
+  }
+  template <Patch P>
+  static EllipsoidGauge even(const P& patch) {
+    return make(patch, even_shape);
+  }
+  template <Patch P>
+  static EllipsoidGauge inner(const P& patch) {
+    return make(patch, inner_shape);
+  }
+  template <Patch P>
+  static EllipsoidGauge enclosing(const P& patch) {
+    return make(patch, enclosing_shape);
+  }
+
+  double operator()(const Wrench& t) const noexcept {
+    const Wrench s = root_times(frame_.local(t));
+    return std::sqrt(s.fx * s.fx + s.fy * s.fy + s.m * s.m);
+  }
+
+  // Twist that the patch slips with under t, normal to the ellipsoid: t . twist = g(t). No load: no twist.
+  Twist twist(const Wrench& t) const noexcept;
+
+  double dissipation(const Twist& v) const noexcept;  // of the model [m/s]
+  Wrench gradient(const Twist& v) const noexcept;     // of the model's dissipation
+
+  double largest_excess() const noexcept { return sides_.largest_excess; }
+  double largest_deficit() const noexcept { return sides_.largest_deficit; }
+
+  // The same shape, scaled to touch the limit surface from inside (never too small) or from outside (never too large).
+  EllipsoidGauge safe() const { return scaled(1 / (1 - sides_.largest_deficit)); }
+  EllipsoidGauge outer() const { return scaled(1 / (1 + sides_.largest_excess)); }
+
+ private:
+  // Rows of the upper triangular U, A = U^T U, in the frame: xx, xy, xw, yy, yw, ww.
+  using Root = std::array<double, 6>;
+  using Shape = Root (*)(const SupportFunction&);
+
+  static Root axis_shape(const SupportFunction&);
+  static Root least_squares_shape(const SupportFunction& D);
+  static Root even_shape(const SupportFunction& D);
+  static Root inner_shape(const SupportFunction& D);
+  static Root enclosing_shape(const SupportFunction& D);
+
+  template <Patch P>
+  static EllipsoidGauge make(const P& patch, Shape shape) {
+    const auto frame = CentredFrame::of(patch);
+    return {frame, support_function(patch, frame), shape};
+  }
+
+  EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, Shape shape);
+  EllipsoidGauge scaled(double factor) const;
+
+  Wrench root_times(const Wrench& t) const noexcept {
+    return {U_[0] * t.fx + U_[1] * t.fy + U_[2] * t.m, U_[3] * t.fy + U_[4] * t.m, U_[5] * t.m};
+  }
+  Twist inverse_root_times(const Twist& v) const noexcept;  // U^-T v
+  SupportValue support(const Twist& local) const noexcept;
+
+  CentredFrame frame_;
+  Root U_;
+  GaugeSides sides_{};
+};
+
+}  // namespace patchgrip::friction
