@@ -1,35 +1,19 @@
 #include <patchgrip/friction/limit_surface/ellipsoid_gauge.h>
 
-#include <algorithm>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
-#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 
 #include <patchgrip/friction/limit_surface/enclosing_ellipsoid.h>
+#include <patchgrip/friction/limit_surface/unit_fit.h>
 
 namespace patchgrip::friction {
 namespace {
 
-using Monomials = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 using Symmetric = std::array<double, 6>;
-
-// Half of all directions, evenly spread (Fibonacci): D(-v) = D(v).
-std::vector<Twist> directions(int count) {
-  std::vector<Twist> result;
-  for (int k = 0; k < count; ++k) {
-    const double w = (k + 0.5) / count, phi = 2 * std::numbers::pi * std::numbers::phi * k;
-    const double speed = std::sqrt((1 - w) * (1 + w));
-    result.push_back({speed * std::cos(phi), speed * std::sin(phi), w});
-  }
-  return result;
-}
-
-constexpr int samples = 2000;
 
 // x . A x = row . (upper triangle of A)
 Eigen::Matrix<double, 1, 6> monomials(double x, double y, double z) {
@@ -49,81 +33,51 @@ std::array<double, 6> root_of(const Eigen::Matrix3d& A) {
   return {U(0, 0), U(0, 1), U(0, 2), U(1, 1), U(1, 2), U(2, 2)};
 }
 
-Symmetric entries(const Eigen::Matrix<double, 6, 1>& x) { return {x[0], x[1], x[2], x[3], x[4], x[5]}; }
-
-// Least squares of rows x = 1, each row counted with its weight.
-Eigen::Matrix<double, 6, 1> weighted_fit(const Monomials& rows, const Eigen::VectorXd& weights) {
-  const Eigen::Matrix<double, 6, 6> normal = rows.transpose() * weights.asDiagonal() * rows;
-  return normal.ldlt().solve(rows.transpose() * weights);
-}
-
-// Least largest |rows x - 1| (Lawson 1961): weights grow where the residual is large, until only the largest count.
-Eigen::Matrix<double, 6, 1> least_largest_residual(const Monomials& rows) {
-  constexpr int steps = 400;
-  Eigen::VectorXd weights = Eigen::VectorXd::Constant(rows.rows(), 1 / static_cast<double>(rows.rows()));
-  Eigen::Matrix<double, 6, 1> best = weighted_fit(rows, weights), x = best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < steps; ++k) {
-    const Eigen::VectorXd residual = ((rows * x).array() - 1).abs();
-    if (residual.maxCoeff() < least) {
-      least = residual.maxCoeff();
-      best = x;
-    }
-    weights = weights.cwiseProduct(residual);
-    weights /= weights.sum();
-    x = weighted_fit(rows, weights);
-  }
-  return best;
-}
+Symmetric entries(const Eigen::VectorXd& x) { return {x[0], x[1], x[2], x[3], x[4], x[5]}; }
 
 }  // namespace
 
-EllipsoidGauge::EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, Shape shape)
-    : frame_(frame), U_(shape(D)) {
+EllipsoidGauge::EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, const Wrenches& boundary,
+                               Shape shape)
+    : frame_(frame), U_(shape(D, boundary)) {
   sides_ = gauge_sides([this](const Twist& v) { return support(v); }, D);
   if (shape == inner_shape) *this = safe();
   if (shape == enclosing_shape) *this = outer();
 }
 
-EllipsoidGauge::Root EllipsoidGauge::axis_shape(const SupportFunction&) { return {1, 0, 0, 1, 0, 1}; }
+EllipsoidGauge::Root EllipsoidGauge::axis_shape(const SupportFunction&, const Wrenches&) { return {1, 0, 0, 1, 0, 1}; }
 
-EllipsoidGauge::Root EllipsoidGauge::least_squares_shape(const SupportFunction& D) {
-  Monomials rows(samples, 6);
+EllipsoidGauge::Root EllipsoidGauge::least_squares_shape(const SupportFunction&, const Wrenches& boundary) {
+  Eigen::MatrixXd rows(boundary.size(), 6);
   Eigen::Index i = 0;
-  for (const Twist& v : directions(samples)) {
-    const Wrench t = D(v).wrench;
-    rows.row(i++) = monomials(t.fx, t.fy, t.m);
-  }
-  return root_of(matrix(entries(weighted_fit(rows, Eigen::VectorXd::Ones(samples)))));
+  for (const Wrench& t : boundary) rows.row(i++) = monomials(t.fx, t.fy, t.m);
+  return root_of(matrix(entries(unit_fit(rows, Eigen::VectorXd::Ones(rows.rows())))));
 }
 
 // v . A^-1 v = D^2 to the least largest relative error: of the ellipsoid's own D, and so of its gauge.
-EllipsoidGauge::Root EllipsoidGauge::even_shape(const SupportFunction& D) {
-  Monomials rows(samples, 6);
+EllipsoidGauge::Root EllipsoidGauge::even_shape(const SupportFunction& D, const Wrenches&) {
+  Eigen::MatrixXd rows(samples, 6);
   Eigen::Index i = 0;
-  for (const Twist& v : directions(samples)) {
+  for (const Twist& v : half_of_all_directions(samples)) {
     const double size = D(v).value;
     rows.row(i++) = monomials(v.vx / size, v.vy / size, v.w / size);
   }
-  return root_of(matrix(entries(least_largest_residual(rows))).inverse());
+  return root_of(matrix(entries(even_unit_fit(rows, 400))).inverse());
 }
 
 // {v : v . A^-1 v <= 1} of the least volume about the points v / D(v), the surface polar to the limit surface.
-EllipsoidGauge::Root EllipsoidGauge::inner_shape(const SupportFunction& D) {
+EllipsoidGauge::Root EllipsoidGauge::inner_shape(const SupportFunction& D, const Wrenches&) {
   std::vector<std::array<double, 3>> points;
-  for (const Twist& v : directions(samples)) {
+  for (const Twist& v : half_of_all_directions(samples)) {
     const double size = D(v).value;
     points.push_back({v.vx / size, v.vy / size, v.w / size});
   }
   return root_of(matrix(enclosing_ellipsoid(points, 1e-3)).inverse());
 }
 
-EllipsoidGauge::Root EllipsoidGauge::enclosing_shape(const SupportFunction& D) {
+EllipsoidGauge::Root EllipsoidGauge::enclosing_shape(const SupportFunction&, const Wrenches& boundary) {
   std::vector<std::array<double, 3>> points;
-  for (const Twist& v : directions(samples)) {
-    const Wrench t = D(v).wrench;
-    points.push_back({t.fx, t.fy, t.m});
-  }
+  for (const Wrench& t : boundary) points.push_back({t.fx, t.fy, t.m});
   return root_of(matrix(enclosing_ellipsoid(points, 1e-3)));
 }
 
@@ -161,8 +115,7 @@ Wrench EllipsoidGauge::gradient(const Twist& v) const noexcept {
 EllipsoidGauge EllipsoidGauge::scaled(double factor) const {
   EllipsoidGauge result = *this;
   for (double& entry : result.U_) entry *= factor;
-  result.sides_ = {std::max(0.0, (1 + sides_.largest_excess) * factor - 1),
-                   std::max(0.0, 1 - (1 - sides_.largest_deficit) * factor)};
+  result.sides_ = sides_.scaled(factor);
   return result;
 }
 

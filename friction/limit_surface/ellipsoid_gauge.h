@@ -16,15 +16,16 @@
 // The best safe ellipsoid is even().safe(): of all ellipsoids inside it asks for the least excess of grip at worst.
 //
 // Error    (1 - largest_deficit()) g <= gauge <= (1 + largest_excess()) g for every load, proven by bisection over all
-//          directions (support_ratio.h) and above the true maxima by <= 1e-6.
+//          directions (support_ratio.h) and above the true maxima by <= 1e-5.
 // Domain   every patch; loads whose squares neither overflow nor underflow.
 // Units    wrench [N], [N], [N m]; gauge [N]; the gauge is the least mu F_N that holds the load.
 // Throws   std::invalid_argument where a scale is not positive and finite; std::runtime_error if a fit is no ellipsoid.
 #pragma once
 
 #include <array>
+#include <vector>
 
-#include <patchgrip/friction/limit_surface/support_ratio.h>
+#include <patchgrip/friction/limit_surface/cheap_gauge.h>
 
 namespace patchgrip::friction {
 
@@ -51,7 +52,7 @@ class EllipsoidGauge {
     return make(patch, enclosing_shape);
   }
 
-  double operator()(const Wrench& t) const noexcept {
+  double value(const Wrench& t) const noexcept {
     const Wrench s = root_times(frame_.local(t));
     return std::sqrt(s.fx * s.fx + s.fy * s.fy + s.m * s.m);
   }
@@ -62,6 +63,8 @@ class EllipsoidGauge {
   double dissipation(const Twist& v) const noexcept;  // of the model [m/s]
   Wrench gradient(const Twist& v) const noexcept;     // of the model's dissipation
 
+  Gauge gauge(const Wrench& t) const noexcept { return bracketed(value(t), twist(t), sides_, frame_, t); }
+
   double largest_excess() const noexcept { return sides_.largest_excess; }
   double largest_deficit() const noexcept { return sides_.largest_deficit; }
 
@@ -70,23 +73,26 @@ class EllipsoidGauge {
   EllipsoidGauge outer() const { return scaled(1 / (1 + sides_.largest_excess)); }
 
  private:
+  static constexpr int samples = 2000;
+
   // Rows of the upper triangular U, A = U^T U, in the frame: xx, xy, xw, yy, yw, ww.
   using Root = std::array<double, 6>;
-  using Shape = Root (*)(const SupportFunction&);
+  using Wrenches = std::vector<Wrench>;
+  using Shape = Root (*)(const SupportFunction& D, const Wrenches& boundary);
 
-  static Root axis_shape(const SupportFunction&);
-  static Root least_squares_shape(const SupportFunction& D);
-  static Root even_shape(const SupportFunction& D);
-  static Root inner_shape(const SupportFunction& D);
-  static Root enclosing_shape(const SupportFunction& D);
+  static Root axis_shape(const SupportFunction&, const Wrenches&);
+  static Root least_squares_shape(const SupportFunction&, const Wrenches& boundary);
+  static Root even_shape(const SupportFunction& D, const Wrenches&);
+  static Root inner_shape(const SupportFunction& D, const Wrenches&);
+  static Root enclosing_shape(const SupportFunction&, const Wrenches& boundary);
 
   template <Patch P>
   static EllipsoidGauge make(const P& patch, Shape shape) {
     const auto frame = CentredFrame::of(patch);
-    return {frame, support_function(patch, frame), shape};
+    return {frame, support_function(patch, frame), boundary_wrenches(patch, frame, samples), shape};
   }
 
-  EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, Shape shape);
+  EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, const Wrenches& boundary, Shape shape);
   EllipsoidGauge scaled(double factor) const;
 
   Wrench root_times(const Wrench& t) const noexcept {

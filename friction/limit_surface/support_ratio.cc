@@ -91,8 +91,12 @@ double largest_ratio(const SupportFunction& a, const SupportFunction& b, double 
   return Search(a, b).run(tolerance, most_cones);
 }
 
+GaugeSides GaugeSides::scaled(double factor) const {
+  return {std::max(0.0, (1 + largest_excess) * factor - 1), std::max(0.0, 1 - (1 - largest_deficit) * factor)};
+}
+
 GaugeSides gauge_sides(const SupportFunction& model, const SupportFunction& truth) {
-  constexpr double tolerance = 1e-6;
+  constexpr double tolerance = 1e-5;
   return {std::max(0.0, largest_ratio(truth, model, tolerance) - 1),
           std::max(0.0, 1 - 1 / largest_ratio(model, truth, tolerance))};
 }

@@ -24,9 +24,11 @@ double largest_ratio(const SupportFunction& a, const SupportFunction& b, double 
 struct GaugeSides {
   double largest_excess;   // >= 0: asks for too much grip, safe
   double largest_deficit;  // >= 0: asks for too little, unsafe
+
+  GaugeSides scaled(double factor) const;  // of `factor` times the approximation
 };
 
-// Of the body of `model` against `truth`.
+// Of the body of `model` against `truth`; neither is above the true maximum by more than 1e-5.
 GaugeSides gauge_sides(const SupportFunction& model, const SupportFunction& truth);
 
 }  // namespace patchgrip::friction

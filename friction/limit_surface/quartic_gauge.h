@@ -1,0 +1,77 @@
+// Gauge of a limit surface taken for a convex quartic, with the proven error of that on either side.
+//
+//     g(t)^4 = q(t)      about the centre of pressure,      slip parallel to grad q
+//
+// (Zhou, Paolini, Bagnell and Mason 2016: the form of least degree that is even and homogeneous, as every limit surface
+// is, and not an ellipsoid.) Fitted to q = 1 over wrenches of the limit surface:
+//
+//     least_squares  to the least mean square of q - 1,
+//     even           to the least largest |q - 1|: as much too large as too small.
+//
+// Convexity is proven (quartic_form.h), with a margin: q - e^4 / 100 is convex, e(t) the axis ellipsoid
+// (ellipsoid_gauge.h). A fit that is not convex gives way towards the square of the fitted ellipsoid as far as it must:
+// way_given() of the way.
+//
+// Error    (1 - largest_deficit()) g <= gauge <= (1 + largest_excess()) g for every load, proven by bisection over all
+//          directions (support_ratio.h) and above the true maxima by <= 1e-5.
+// Domain   every patch; loads whose fourth powers neither overflow nor underflow.
+// Units    wrench [N], [N], [N m]; gauge [N]; the gauge is the least mu F_N that holds the load.
+#pragma once
+
+#include <vector>
+
+#include <patchgrip/friction/limit_surface/cheap_gauge.h>
+#include <patchgrip/friction/limit_surface/quartic_form.h>
+
+namespace patchgrip::friction {
+
+class QuarticGauge {
+ public:
+  template <Patch P>
+  static QuarticGauge least_squares(const P& patch) {
+    return make(patch, Fit::least_squares);
+  }
+  template <Patch P>
+  static QuarticGauge even(const P& patch) {
+    return make(patch, Fit::even);
+  }
+
+  double value(const Wrench& t) const noexcept { return std::sqrt(std::sqrt(q_(frame_.local(t)))); }
+
+  // Twist that the patch slips with under t, normal to the quartic: t . twist = g(t). No load: no twist.
+  Twist twist(const Wrench& t) const noexcept;
+
+  // Of the model, per unit mu F_N: Newton's method for the wrench whose slip is v.
+  double dissipation(const Twist& v) const noexcept;
+  Wrench gradient(const Twist& v) const noexcept;
+
+  Gauge gauge(const Wrench& t) const noexcept { return bracketed(value(t), twist(t), sides_, frame_, t); }
+
+  double largest_excess() const noexcept { return sides_.largest_excess; }
+  double largest_deficit() const noexcept { return sides_.largest_deficit; }
+  double way_given() const noexcept { return way_given_; }
+
+  // The same shape, scaled to touch the limit surface from inside (never too small) or from outside (never too large).
+  QuarticGauge safe() const { return scaled(1 / (1 - sides_.largest_deficit)); }
+  QuarticGauge outer() const { return scaled(1 / (1 + sides_.largest_excess)); }
+
+ private:
+  enum class Fit { least_squares, even };
+
+  template <Patch P>
+  static QuarticGauge make(const P& patch, Fit fit) {
+    const auto frame = CentredFrame::of(patch);
+    return {frame, support_function(patch, frame), boundary_wrenches(patch, frame, 2000), fit};
+  }
+
+  QuarticGauge(const CentredFrame& frame, const SupportFunction& D, const std::vector<Wrench>& boundary, Fit fit);
+  QuarticGauge scaled(double factor) const;
+  SupportValue support(const Twist& local) const noexcept;
+
+  CentredFrame frame_;
+  QuarticForm q_{};
+  GaugeSides sides_{};
+  double way_given_ = 0;
+};
+
+}  // namespace patchgrip::friction
