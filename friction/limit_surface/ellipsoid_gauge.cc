@@ -28,7 +28,7 @@ Eigen::Matrix3d matrix(const Symmetric& a) {
 
 std::array<double, 6> root_of(const Eigen::Matrix3d& A) {
   const Eigen::LLT<Eigen::Matrix3d> factors(A);
-  if (factors.info() != Eigen::Success) throw std::runtime_error("the fitted quadric is no ellipsoid");
+  if (factors.info() != Eigen::Success) throw std::domain_error("the fitted quadric is no ellipsoid");
   const Eigen::Matrix3d U = factors.matrixU();
   return {U(0, 0), U(0, 1), U(0, 2), U(1, 1), U(1, 2), U(2, 2)};
 }
