@@ -37,47 +37,41 @@ Symmetric entries(const Eigen::VectorXd& x) { return {x[0], x[1], x[2], x[3], x[
 
 }  // namespace
 
-EllipsoidGauge::EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, const Wrenches& boundary,
-                               Shape shape)
-    : frame_(frame), U_(shape(D, boundary)) {
+EllipsoidGauge::EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, Shape shape)
+    : frame_(frame), U_(shape(spread_slips(D, 1000))) {
   sides_ = gauge_sides([this](const Twist& v) { return support(v); }, D);
   if (shape == inner_shape) *this = safe();
   if (shape == enclosing_shape) *this = outer();
 }
 
-EllipsoidGauge::Root EllipsoidGauge::axis_shape(const SupportFunction&, const Wrenches&) { return {1, 0, 0, 1, 0, 1}; }
+EllipsoidGauge::Root EllipsoidGauge::axis_shape(const std::vector<Slip>&) { return {1, 0, 0, 1, 0, 1}; }
 
-EllipsoidGauge::Root EllipsoidGauge::least_squares_shape(const SupportFunction&, const Wrenches& boundary) {
-  Eigen::MatrixXd rows(boundary.size(), 6);
+EllipsoidGauge::Root EllipsoidGauge::least_squares_shape(const std::vector<Slip>& slips) {
+  Eigen::MatrixXd rows(slips.size(), 6);
   Eigen::Index i = 0;
-  for (const Wrench& t : boundary) rows.row(i++) = monomials(t.fx, t.fy, t.m);
-  return root_of(matrix(entries(unit_fit(rows, Eigen::VectorXd::Ones(rows.rows())))));
+  for (const auto& [v, t] : slips) rows.row(i++) = monomials(t.fx, t.fy, t.m);
+  return root_of(matrix(entries(unit_fit(rows))));
 }
 
 // v . A^-1 v = D^2 to the least largest relative error: of the ellipsoid's own D, and so of its gauge.
-EllipsoidGauge::Root EllipsoidGauge::even_shape(const SupportFunction& D, const Wrenches&) {
-  Eigen::MatrixXd rows(samples, 6);
+EllipsoidGauge::Root EllipsoidGauge::even_shape(const std::vector<Slip>& slips) {
+  Eigen::MatrixXd rows(slips.size(), 6);
   Eigen::Index i = 0;
-  for (const Twist& v : half_of_all_directions(samples)) {
-    const double size = D(v).value;
-    rows.row(i++) = monomials(v.vx / size, v.vy / size, v.w / size);
-  }
-  return root_of(matrix(entries(even_unit_fit(rows, 400))).inverse());
+  for (const auto& [v, t] : slips) rows.row(i++) = monomials(v.vx, v.vy, v.w);
+  const Eigen::Matrix<double, 6, 1> ball{1, 0, 0, 1, 0, 1};
+  return root_of(matrix(entries(even_unit_fit(rows, {}, ball))).inverse());
 }
 
-// {v : v . A^-1 v <= 1} of the least volume about the points v / D(v), the surface polar to the limit surface.
-EllipsoidGauge::Root EllipsoidGauge::inner_shape(const SupportFunction& D, const Wrenches&) {
+// {v : v . A^-1 v <= 1} of the least volume about the surface polar to the limit surface.
+EllipsoidGauge::Root EllipsoidGauge::inner_shape(const std::vector<Slip>& slips) {
   std::vector<std::array<double, 3>> points;
-  for (const Twist& v : half_of_all_directions(samples)) {
-    const double size = D(v).value;
-    points.push_back({v.vx / size, v.vy / size, v.w / size});
-  }
+  for (const auto& [v, t] : slips) points.push_back({v.vx, v.vy, v.w});
   return root_of(matrix(enclosing_ellipsoid(points, 1e-3)).inverse());
 }
 
-EllipsoidGauge::Root EllipsoidGauge::enclosing_shape(const SupportFunction&, const Wrenches& boundary) {
+EllipsoidGauge::Root EllipsoidGauge::enclosing_shape(const std::vector<Slip>& slips) {
   std::vector<std::array<double, 3>> points;
-  for (const Wrench& t : boundary) points.push_back({t.fx, t.fy, t.m});
+  for (const auto& [v, t] : slips) points.push_back({t.fx, t.fy, t.m});
   return root_of(matrix(enclosing_ellipsoid(points, 1e-3)));
 }
 

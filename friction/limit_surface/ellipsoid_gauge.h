@@ -28,6 +28,7 @@
 #include <vector>
 
 #include <patchgrip/friction/limit_surface/cheap_gauge.h>
+#include <patchgrip/friction/limit_surface/slips.h>
 
 namespace patchgrip::friction {
 
@@ -75,26 +76,23 @@ class EllipsoidGauge {
   EllipsoidGauge outer() const { return scaled(1 / (1 + sides_.largest_excess)); }
 
  private:
-  static constexpr int samples = 2000;
-
   // Rows of the upper triangular U, A = U^T U, in the frame: xx, xy, xw, yy, yw, ww.
   using Root = std::array<double, 6>;
-  using Wrenches = std::vector<Wrench>;
-  using Shape = Root (*)(const SupportFunction& D, const Wrenches& boundary);
+  using Shape = Root (*)(const std::vector<Slip>& slips);
 
-  static Root axis_shape(const SupportFunction&, const Wrenches&);
-  static Root least_squares_shape(const SupportFunction&, const Wrenches& boundary);
-  static Root even_shape(const SupportFunction& D, const Wrenches&);
-  static Root inner_shape(const SupportFunction& D, const Wrenches&);
-  static Root enclosing_shape(const SupportFunction&, const Wrenches& boundary);
+  static Root axis_shape(const std::vector<Slip>&);
+  static Root least_squares_shape(const std::vector<Slip>& slips);
+  static Root even_shape(const std::vector<Slip>& slips);
+  static Root inner_shape(const std::vector<Slip>& slips);
+  static Root enclosing_shape(const std::vector<Slip>& slips);
 
   template <Patch P>
   static EllipsoidGauge make(const P& patch, Shape shape) {
     const auto frame = CentredFrame::of(patch);
-    return {frame, support_function(patch, frame), boundary_wrenches(patch, frame, samples), shape};
+    return {frame, support_function(patch, frame), shape};
   }
 
-  EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, const Wrenches& boundary, Shape shape);
+  EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, Shape shape);
   EllipsoidGauge scaled(double factor) const;
 
   Wrench root_times(const Wrench& t) const noexcept {

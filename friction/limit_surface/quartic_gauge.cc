@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <patchgrip/friction/limit_surface/slips.h>
 #include <patchgrip/friction/limit_surface/unit_fit.h>
 
 namespace patchgrip::friction {
@@ -12,53 +13,53 @@ namespace {
 
 constexpr double margin = 0.01;  // q - margin e^4 is convex, and so >= 0
 
+const QuarticForm e4{{1, 0, 0, 2, 0, 2, 0, 0, 0, 0, 1, 0, 2, 0, 1}};  // (x^2 + y^2 + z^2)^2
+
 QuarticForm mixed(double part, const QuarticForm& p, double rest, const QuarticForm& q) {
   QuarticForm result{};
   for (std::size_t i = 0; i < q.c.size(); ++i) result.c[i] = part * p.c[i] + rest * q.c[i];
   return result;
 }
 
-// (xx x^2 + 2 xy x y + ...)^2
-QuarticForm square(const Eigen::VectorXd& a) {
-  const double xx = a[0], xy = a[1], xz = a[2], yy = a[3], yz = a[4], zz = a[5];
-  return {{xx * xx, 4 * xx * xy, 4 * xx * xz, 2 * xx * yy + 4 * xy * xy, 4 * xx * yz + 8 * xy * xz,
-           2 * xx * zz + 4 * xz * xz, 4 * xy * yy, 4 * xz * yy + 8 * xy * yz, 4 * xy * zz + 8 * xz * yz, 4 * xz * zz,
-           yy * yy, 4 * yy * yz, 2 * yy * zz + 4 * yz * yz, 4 * yz * zz, zz * zz}};
+bool is_convex_enough(const QuarticForm& q) { return is_certainly_convex(mixed(1, q, -margin, e4)); }
+
+Eigen::Matrix3d matrix(const Hessian& h) {
+  Eigen::Matrix3d H;
+  H << h.xx, h.xy, h.xw, h.xy, h.yy, h.yw, h.xw, h.yw, h.ww;
+  return H;
 }
 
-const QuarticForm e4 = square(Eigen::Matrix<double, 6, 1>{1, 0, 0, 1, 0, 1});
-
-bool is_convex_enough(const QuarticForm& q) { return is_certainly_convex(mixed(1, q, -margin, e4)); }
+// The Hessian in the direction of t, linear in the coefficients, exceeds twice the margin.
+PositiveMatrix convex_at(const Wrench& t) {
+  PositiveMatrix result;
+  for (std::size_t j = 0; j < e4.c.size(); ++j) {
+    QuarticForm unit{};
+    unit.c[j] = 1;
+    result.factor.push_back(matrix(unit.hessian(t, t)));
+  }
+  result.constant = 2 * margin * matrix(e4.hessian(t, t));
+  return result;
+}
 
 }  // namespace
 
-QuarticGauge::QuarticGauge(const CentredFrame& frame, const SupportFunction& D, const std::vector<Wrench>& boundary,
-                           Fit fit)
-    : frame_(frame) {
-  constexpr int steps = 200;
-  Eigen::MatrixXd rows(boundary.size(), 15), squares(boundary.size(), 6);
+QuarticGauge::QuarticGauge(const CentredFrame& frame, const SupportFunction& D, Fit fit) : frame_(frame) {
+  const std::vector<Slip> slips = spread_slips(D, 1000);
+  Eigen::MatrixXd rows(slips.size(), e4.c.size());
+  std::vector<PositiveMatrix> conditions;
   Eigen::Index i = 0;
-  for (const Wrench& t : boundary) {
+  for (const auto& [v, t] : slips) {
     const auto row = QuarticForm::monomials(t);
-    std::copy(row.begin(), row.end(), rows.row(i).begin());
-    squares.row(i++) << t.fx * t.fx, 2 * t.fx * t.fy, 2 * t.fx * t.m, t.fy * t.fy, 2 * t.fy * t.m, t.m * t.m;
+    std::copy(row.begin(), row.end(), rows.row(i++).begin());
+    conditions.push_back(convex_at(t));
   }
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(rows.rows());
-  const Eigen::VectorXd c = fit == Fit::even ? even_unit_fit(rows, steps) : unit_fit(rows, ones);
-  QuarticForm free{};
-  std::copy(c.begin(), c.end(), free.c.begin());
-
-  q_ = free;
-  if (!is_convex_enough(free)) {
-    const QuarticForm ellipsoid = square(unit_fit(squares, ones));
-    double convex = 1, not_convex = 0;
-    while (convex - not_convex > 1e-4) {
-      const double part = (convex + not_convex) / 2;
-      (is_convex_enough(mixed(part, ellipsoid, 1 - part, free)) ? convex : not_convex) = part;
-    }
-    way_given_ = convex;
-    q_ = mixed(convex, ellipsoid, 1 - convex, free);
-  }
+  const Eigen::Map<const Eigen::Matrix<double, 15, 1>> start(e4.c.data());
+  const Eigen::VectorXd c =
+      fit == Fit::even ? even_unit_fit(rows, conditions, start) : unit_fit(rows, conditions, start);
+  QuarticForm fitted{};
+  std::copy(c.begin(), c.end(), fitted.c.begin());
+  q_ = fitted;
+  for (double way = 1e-3; !is_convex_enough(q_) && way < 1; way *= 2) q_ = mixed(way, e4, 1 - way, fitted);
   sides_ = gauge_sides([this](const Twist& v) { return support(v); }, D);
 }
 
@@ -85,9 +86,7 @@ SupportValue QuarticGauge::support(const Twist& local) const noexcept {
   double least = objective(t);
   for (int k = 0; k < 100; ++k) {
     const Twist n = q_.gradient(wrench(t));
-    const Hessian h = q_.hessian(wrench(t), wrench(t));
-    Eigen::Matrix3d H;
-    H << h.xx, h.xy, h.xw, h.xy, h.yy, h.yw, h.xw, h.yw, h.ww;
+    const Eigen::Matrix3d H = matrix(q_.hessian(wrench(t), wrench(t)));
     const Vector residual = v - Vector{n.vx, n.vy, n.w};
     const Vector step = H.ldlt().solve(residual);
     const double decrease = residual.dot(step);

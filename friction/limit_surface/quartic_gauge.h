@@ -8,17 +8,15 @@
 //     least_squares  to the least mean square of q - 1,
 //     even           to the least largest |q - 1|: as much too large as too small.
 //
-// Convexity is proven (quartic_form.h), with a margin: q - e^4 / 100 is convex, e(t) the axis ellipsoid
-// (ellipsoid_gauge.h). A fit that is not convex gives way towards the square of the fitted ellipsoid as far as it must:
-// way_given() of the way.
+// Both among the quartics that are convex, with a margin: q - e^4 / 100 is convex, e(t) the axis ellipsoid
+// (ellipsoid_gauge.h). That is a condition in a thousand directions of the fit (unit_fit.h), and proven for all
+// afterwards (quartic_form.h); where the proof fails between two of them, q gives way towards e^4, a little.
 //
 // Error    (1 - largest_deficit()) g <= gauge <= (1 + largest_excess()) g for every load, proven by bisection over all
 //          directions (support_ratio.h) and above the true maxima by <= 1e-5.
 // Domain   every patch; loads whose fourth powers neither overflow nor underflow.
 // Units    wrench [N], [N], [N m]; gauge [N]; the gauge is the least mu F_N that holds the load.
 #pragma once
-
-#include <vector>
 
 #include <patchgrip/friction/limit_surface/cheap_gauge.h>
 #include <patchgrip/friction/limit_surface/quartic_form.h>
@@ -49,7 +47,6 @@ class QuarticGauge {
 
   double largest_excess() const noexcept { return sides_.largest_excess; }
   double largest_deficit() const noexcept { return sides_.largest_deficit; }
-  double way_given() const noexcept { return way_given_; }
 
   // The same shape, scaled to touch the limit surface from inside (never too small) or from outside (never too large).
   QuarticGauge safe() const { return scaled(1 / (1 - sides_.largest_deficit)); }
@@ -61,17 +58,16 @@ class QuarticGauge {
   template <Patch P>
   static QuarticGauge make(const P& patch, Fit fit) {
     const auto frame = CentredFrame::of(patch);
-    return {frame, support_function(patch, frame), boundary_wrenches(patch, frame, 2000), fit};
+    return {frame, support_function(patch, frame), fit};
   }
 
-  QuarticGauge(const CentredFrame& frame, const SupportFunction& D, const std::vector<Wrench>& boundary, Fit fit);
+  QuarticGauge(const CentredFrame& frame, const SupportFunction& D, Fit fit);
   QuarticGauge scaled(double factor) const;
   SupportValue support(const Twist& local) const noexcept;
 
   CentredFrame frame_;
   QuarticForm q_{};
   GaugeSides sides_{};
-  double way_given_ = 0;
 };
 
 }  // namespace patchgrip::friction

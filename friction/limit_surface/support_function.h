@@ -16,9 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <vector>
 
-#include <patchgrip/friction/limit_surface/limit_surface.h>
 #include <patchgrip/friction/patch.h>
 
 namespace patchgrip::friction {
@@ -63,24 +61,6 @@ SupportFunction support_function(const P& patch, const CentredFrame& frame) {
     const Wrench t = frame.local(g.value);
     return {power(t, local), t, g.force_error + 2 * moment_error / frame.length + 8 * unit};
   };
-}
-
-// Half of all directions, evenly spread: a Fibonacci lattice on the half sphere w > 0.
-std::vector<Twist> half_of_all_directions(int count);
-
-// Wrenches on the limit surface, in the frame: half of them for evenly spread twists, half for evenly spread loads. The
-// former crowd where the surface bends, the latter leave no gap between.
-template <Patch P>
-std::vector<Wrench> boundary_wrenches(const P& patch, const CentredFrame& frame, int count) {
-  const SupportFunction D = support_function(patch, frame);
-  const LimitSurface surface(patch);
-  std::vector<Wrench> result;
-  for (const Twist& v : half_of_all_directions(count / 2)) {
-    result.push_back(D(v).wrench);
-    const double g = surface.gauge(frame.global(Wrench{v.vx, v.vy, v.w})).value;
-    result.push_back({v.vx / g, v.vy / g, v.w / g});
-  }
-  return result;
 }
 
 }  // namespace patchgrip::friction

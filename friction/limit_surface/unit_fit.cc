@@ -1,31 +1,119 @@
 #include <patchgrip/friction/limit_surface/unit_fit.h>
 
+#include <cmath>
 #include <limits>
 
 #include <Eigen/Cholesky>
 
 namespace patchgrip::friction {
+namespace {
 
-Eigen::VectorXd unit_fit(const Eigen::MatrixXd& rows, const Eigen::VectorXd& weights) {
-  const Eigen::MatrixXd weighted = rows.transpose() * weights.asDiagonal();
-  return (weighted * rows).ldlt().solve(weighted.rowwise().sum());
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A convex function with its derivatives; value infinite where it is not defined.
+struct Expansion {
+  double value;
+  VectorXd gradient;
+  MatrixXd hessian;
+};
+
+// Adds -sum of log det M(x).
+void add_barrier(Expansion& f, const std::vector<PositiveMatrix>& conditions, const VectorXd& x) {
+  const Eigen::Index n = x.size();
+  MatrixXd stack(6 * static_cast<Eigen::Index>(conditions.size()), n);
+  Eigen::Index top = 0;
+  for (const PositiveMatrix& m : conditions) {
+    Eigen::Matrix3d M = -m.constant;
+    for (Eigen::Index j = 0; j < n; ++j) M += x[j] * m.factor[static_cast<std::size_t>(j)];
+    const Eigen::LLT<Eigen::Matrix3d> root(M);
+    if (root.info() != Eigen::Success) {
+      f.value = infinity;
+      return;
+    }
+    const Eigen::Matrix3d inverse = root.matrixL().solve(Eigen::Matrix3d::Identity());
+    f.value -= 2 * std::log(root.matrixLLT().diagonal().prod());
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Eigen::Matrix3d W = inverse * m.factor[static_cast<std::size_t>(j)] * inverse.transpose();
+      f.gradient[j] -= W.trace();
+      constexpr double twice = 1.4142135623730951;  // an entry off the diagonal counts twice in tr(W W)
+      stack.block<6, 1>(top, j) << W(0, 0), W(1, 1), W(2, 2), twice * W(0, 1), twice * W(0, 2), twice * W(1, 2);
+    }
+    top += 6;
+  }
+  f.hessian.topLeftCorner(n, n) += stack.transpose() * stack;
 }
 
-Eigen::VectorXd even_unit_fit(const Eigen::MatrixXd& rows, int steps) {
-  Eigen::VectorXd weights = Eigen::VectorXd::Constant(rows.rows(), 1 / static_cast<double>(rows.rows()));
-  Eigen::VectorXd best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < steps; ++k) {
-    const Eigen::VectorXd x = unit_fit(rows, weights);
-    const Eigen::VectorXd residual = ((rows * x).array() - 1).abs();
-    if (residual.maxCoeff() < least) {
-      least = residual.maxCoeff();
-      best = x;
-    }
-    weights = weights.cwiseProduct(residual);
-    weights /= weights.sum();
+// Newton's method from a point where the function is finite.
+template <class Function>
+void minimise(const Function& f, VectorXd& x) {
+  for (int k = 0; k < 50; ++k) {
+    const Expansion at = f(x);
+    const VectorXd step = -at.hessian.ldlt().solve(at.gradient);
+    const double slope = at.gradient.dot(step);
+    if (!(slope < -1e-6)) return;
+    double length = 1;
+    while (length > 1e-10 && !(f(x + length * step).value <= at.value + 0.1 * length * slope)) length /= 2;
+    x += length * step;
   }
-  return best;
+}
+
+}  // namespace
+
+VectorXd unit_fit(const MatrixXd& rows) {
+  return (rows.transpose() * rows).ldlt().solve(rows.colwise().sum().transpose());
+}
+
+VectorXd unit_fit(const MatrixXd& rows, const std::vector<PositiveMatrix>& conditions, const VectorXd& start) {
+  const double count = static_cast<double>(rows.rows());
+  const MatrixXd normal = rows.transpose() * rows / count;
+  VectorXd x = start;
+  for (double weight = 1e2; weight < 1e10; weight *= 10) {
+    minimise(
+        [&](const VectorXd& at) {
+          const VectorXd residual = (rows * at).array() - 1;
+          Expansion f{weight * residual.squaredNorm() / count, 2 * weight / count * (rows.transpose() * residual),
+                      2 * weight * normal};
+          add_barrier(f, conditions, at);
+          return f;
+        },
+        x);
+  }
+  return x;
+}
+
+// Unknowns are x and the bound e of |row . x - 1|.
+VectorXd even_unit_fit(const MatrixXd& rows, const std::vector<PositiveMatrix>& conditions, const VectorXd& start) {
+  const Eigen::Index n = rows.cols();
+  VectorXd y(n + 1);
+  y << start, 1.1 * ((rows * start).array() - 1).abs().maxCoeff() + 1e-3;
+  const double gap = 2 * static_cast<double>(rows.rows()) + 3 * static_cast<double>(conditions.size());
+  for (double weight = gap; weight < 4e5 * gap; weight *= 8) {  // e exceeds the least by <= gap / weight
+    minimise(
+        [&](const VectorXd& at) {
+          const VectorXd residual = (rows * at.head(n)).array() - 1;
+          const Eigen::ArrayXd above = at[n] - residual.array(), below = at[n] + residual.array();
+          Expansion f{weight * at[n], VectorXd::Zero(n + 1), MatrixXd::Zero(n + 1, n + 1)};
+          if (above.minCoeff() <= 0 || below.minCoeff() <= 0) {
+            f.value = infinity;
+            return f;
+          }
+          f.value -= above.log().sum() + below.log().sum();
+          const Eigen::ArrayXd p = 1 / above, q = 1 / below;
+          f.gradient.head(n) = rows.transpose() * (p - q).matrix();
+          f.gradient[n] = weight - (p + q).sum();
+          const VectorXd curvature = (p * p + q * q).matrix();
+          f.hessian.topLeftCorner(n, n) = rows.transpose() * curvature.asDiagonal() * rows;
+          f.hessian.topRightCorner(n, 1) = rows.transpose() * (q * q - p * p).matrix();
+          f.hessian.bottomLeftCorner(1, n) = f.hessian.topRightCorner(n, 1).transpose();
+          f.hessian(n, n) = curvature.sum();
+          add_barrier(f, conditions, at.head(n));
+          return f;
+        },
+        y);
+  }
+  return y.head(n);
 }
 
 }  // namespace patchgrip::friction
