@@ -51,13 +51,16 @@ QuarticGauge::QuarticGauge(const CentredFrame& frame, const SupportFunction& D, 
   for (const auto& [v, t] : slips) {
     const auto row = QuarticForm::monomials(t);
     std::copy(row.begin(), row.end(), rows.row(i++).begin());
-    conditions.push_back(convex_at(t));
+    if (i % 2 == 0) conditions.push_back(convex_at(t));
   }
   const Eigen::Map<const Eigen::Matrix<double, 15, 1>> start(e4.c.data());
-  const Eigen::VectorXd c =
-      fit == Fit::even ? even_unit_fit(rows, conditions, start) : unit_fit(rows, conditions, start);
-  QuarticForm fitted{};
-  std::copy(c.begin(), c.end(), fitted.c.begin());
+  const auto form = [](const Eigen::VectorXd& c) {
+    QuarticForm q{};
+    std::copy(c.begin(), c.end(), q.c.begin());
+    return q;
+  };
+  QuarticForm fitted = form(fit == Fit::even ? even_unit_fit(rows, conditions, start) : unit_fit(rows));
+  if (fit == Fit::least_squares && !is_convex_enough(fitted)) fitted = form(unit_fit(rows, conditions, start));
   q_ = fitted;
   for (double way = 1e-3; !is_convex_enough(q_) && way < 1; way *= 2) q_ = mixed(way, e4, 1 - way, fitted);
   sides_ = gauge_sides([this](const Twist& v) { return support(v); }, D);

@@ -6,10 +6,10 @@
 // is, and not an ellipsoid.) Fitted to q = 1 over wrenches of the limit surface:
 //
 //     least_squares  to the least mean square of q - 1,
-//     even           to the least largest |q - 1|: as much too large as too small.
+//     even           to the least largest |q - 1|, and so the least error, to 2 %: as much too large as too small.
 //
 // Both among the quartics that are convex, with a margin: q - e^4 / 100 is convex, e(t) the axis ellipsoid
-// (ellipsoid_gauge.h). That is a condition in a thousand directions of the fit (unit_fit.h), and proven for all
+// (ellipsoid_gauge.h). That is a condition in five hundred directions of the fit (unit_fit.h), and proven for all
 // afterwards (quartic_form.h); where the proof fails between two of them, q gives way towards e^4, a little.
 //
 // Error    (1 - largest_deficit()) g <= gauge <= (1 + largest_excess()) g for every load, proven by bisection over all

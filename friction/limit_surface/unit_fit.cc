@@ -12,6 +12,9 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// What is asked of a function: in a line search, its value alone.
+enum class Of { value, derivatives };
+
 // A convex function with its derivatives; value infinite where it is not defined.
 struct Expansion {
   double value;
@@ -20,9 +23,9 @@ struct Expansion {
 };
 
 // Adds -sum of log det M(x).
-void add_barrier(Expansion& f, const std::vector<PositiveMatrix>& conditions, const VectorXd& x) {
+void add_barrier(Expansion& f, const std::vector<PositiveMatrix>& conditions, const VectorXd& x, Of of) {
   const Eigen::Index n = x.size();
-  MatrixXd stack(6 * static_cast<Eigen::Index>(conditions.size()), n);
+  MatrixXd stack(of == Of::value ? 0 : 6 * static_cast<Eigen::Index>(conditions.size()), n);
   Eigen::Index top = 0;
   for (const PositiveMatrix& m : conditions) {
     Eigen::Matrix3d M = -m.constant;
@@ -32,8 +35,9 @@ void add_barrier(Expansion& f, const std::vector<PositiveMatrix>& conditions, co
       f.value = infinity;
       return;
     }
-    const Eigen::Matrix3d inverse = root.matrixL().solve(Eigen::Matrix3d::Identity());
     f.value -= 2 * std::log(root.matrixLLT().diagonal().prod());
+    if (of == Of::value) continue;
+    const Eigen::Matrix3d inverse = root.matrixL().solve(Eigen::Matrix3d::Identity());
     for (Eigen::Index j = 0; j < n; ++j) {
       const Eigen::Matrix3d W = inverse * m.factor[static_cast<std::size_t>(j)] * inverse.transpose();
       f.gradient[j] -= W.trace();
@@ -42,19 +46,22 @@ void add_barrier(Expansion& f, const std::vector<PositiveMatrix>& conditions, co
     }
     top += 6;
   }
-  f.hessian.topLeftCorner(n, n) += stack.transpose() * stack;
+  if (of == Of::derivatives) f.hessian.topLeftCorner(n, n) += stack.transpose() * stack;
 }
 
 // Newton's method from a point where the function is finite.
 template <class Function>
 void minimise(const Function& f, VectorXd& x) {
   for (int k = 0; k < 50; ++k) {
-    const Expansion at = f(x);
+    const Expansion at = f(x, Of::derivatives);
     const VectorXd step = -at.hessian.ldlt().solve(at.gradient);
     const double slope = at.gradient.dot(step);
-    if (!(slope < -1e-6)) return;
+    if (!(slope < -1e-6)) {
+      if (slope < 0) x += step;  // converges quadratically by now
+      return;
+    }
     double length = 1;
-    while (length > 1e-10 && !(f(x + length * step).value <= at.value + 0.1 * length * slope)) length /= 2;
+    while (length > 1e-10 && !(f(x + length * step, Of::value).value <= at.value + 0.1 * length * slope)) length /= 2;
     x += length * step;
   }
 }
@@ -71,11 +78,11 @@ VectorXd unit_fit(const MatrixXd& rows, const std::vector<PositiveMatrix>& condi
   VectorXd x = start;
   for (double weight = 1e2; weight < 1e10; weight *= 10) {
     minimise(
-        [&](const VectorXd& at) {
+        [&](const VectorXd& at, Of of) {
           const VectorXd residual = (rows * at).array() - 1;
           Expansion f{weight * residual.squaredNorm() / count, 2 * weight / count * (rows.transpose() * residual),
                       2 * weight * normal};
-          add_barrier(f, conditions, at);
+          add_barrier(f, conditions, at, of);
           return f;
         },
         x);
@@ -91,7 +98,7 @@ VectorXd even_unit_fit(const MatrixXd& rows, const std::vector<PositiveMatrix>& 
   const double gap = 2 * static_cast<double>(rows.rows()) + 3 * static_cast<double>(conditions.size());
   for (double weight = gap; weight < 4e5 * gap; weight *= 8) {  // e exceeds the least by <= gap / weight
     minimise(
-        [&](const VectorXd& at) {
+        [&](const VectorXd& at, Of of) {
           const VectorXd residual = (rows * at.head(n)).array() - 1;
           const Eigen::ArrayXd above = at[n] - residual.array(), below = at[n] + residual.array();
           Expansion f{weight * at[n], VectorXd::Zero(n + 1), MatrixXd::Zero(n + 1, n + 1)};
@@ -100,6 +107,10 @@ VectorXd even_unit_fit(const MatrixXd& rows, const std::vector<PositiveMatrix>& 
             return f;
           }
           f.value -= above.log().sum() + below.log().sum();
+          if (of == Of::value) {
+            add_barrier(f, conditions, at.head(n), of);
+            return f;
+          }
           const Eigen::ArrayXd p = 1 / above, q = 1 / below;
           f.gradient.head(n) = rows.transpose() * (p - q).matrix();
           f.gradient[n] = weight - (p + q).sum();
@@ -108,7 +119,7 @@ VectorXd even_unit_fit(const MatrixXd& rows, const std::vector<PositiveMatrix>& 
           f.hessian.topRightCorner(n, 1) = rows.transpose() * (q * q - p * p).matrix();
           f.hessian.bottomLeftCorner(1, n) = f.hessian.topRightCorner(n, 1).transpose();
           f.hessian(n, n) = curvature.sum();
-          add_barrier(f, conditions, at.head(n));
+          add_barrier(f, conditions, at.head(n), of);
           return f;
         },
         y);
