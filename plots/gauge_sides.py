@@ -34,14 +34,16 @@ def main():
             axes.plot([float(row["angle_deg"]) for row in curve], [100 * float(row["error"]) for row in curve], color=colour,
                       linestyle=line, linewidth=1.2, label=name)
         axes.set_title(title, loc="left")
-        axes.set_xlabel(r"$\arctan\,M / (l F)$ [°]")
+        axes.set_xticks([0, 30, 60, 90], ["0\nforce", "30", "60", "90\nmoment"])
+        for label, side in zip(axes.get_xticklabels(), ("left", "center", "center", "right")):
+            label.set_ha(side)
+    figure.supxlabel(r"direction of the load, $\arctan\,M / (l F)$ with $l = M_0 / (\mu F_N)$ [°]", fontsize=9, y=0.17)
     panels[0].set_ylabel("error of the gauge [%]")
     panels[0].text(0.04, 0.97, "too large: safe", ha="left", va="top", transform=panels[0].transAxes)
     panels[0].text(0.04, 0.03, "too small: unsafe", ha="left", va="bottom", transform=panels[0].transAxes)
     panels[0].set_xlim(0, 90)
-    panels[0].set_xticks([0, 30, 60, 90], ["0\nforce", "30", "60", "90\nmoment"])
     panels[0].set_ylim(-15, 18)
-    figure.get_layout_engine().set(rect=(0, 0.15, 1, 0.85))
+    figure.get_layout_engine().set(rect=(0, 0.22, 1, 0.78))
     figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=3)
     style.save(figure, options.output)
 
