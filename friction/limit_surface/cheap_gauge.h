@@ -1,4 +1,5 @@
-// What every cheap gauge answers: a value, and how far the true gauge can be on either side of it.
+// What every cheap gauge answers: a value, and how far the true gauge can be on either side of it. The twist is that of
+// the model, of whose own dissipation it has D = 1.
 #pragma once
 
 #include <cmath>
@@ -22,7 +23,10 @@ inline Gauge bracketed(double value, const Twist& twist, const GaugeSides& sides
   g.lower = std::fmax(0, value - error * (1 + sides.largest_excess)) / (1 + sides.largest_excess);
   g.upper = (value + error) / (1 - sides.largest_deficit);
   g.twist = twist;
-  if (!std::isfinite(value)) g.status = GaugeStatus::not_finite;
+  if (!std::isfinite(value)) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    g = {nan, nan, nan, {nan, nan, nan}, 0, GaugeStatus::not_finite};
+  }
   return g;
 }
 

@@ -3,18 +3,19 @@
 // With V = |(vx, vy)|, W = a |w|, the slope s = f'(0) of the force at the centre, M_0 = m(0) and the far moment
 // m = a k W / V, k = <r^2> / (2 a^2), all per mu F_N (Zhuravlev 1998; of second order, Zhuravlev and Kireenkov 2005):
 //
-//     first order    f = V / (V + W / s),                                   m = M_0 W / (W + (M_0 / a k) V)
-//     second order   f = (V^2 + V W / s) / (V^2 + V W / s + W^2 / s^2),     m = M_0 (W^2 + b V W) / (W^2 + b V W + c V^2)
-//                    c = a s / (2 M_0),   b = c a k / M_0
+//     first order    f = V / (V + W / s)
+//                    m = M_0 W / (W + (M_0 / a k) V)
+//     second order   f = (V^2 + V W / s) / (V^2 + V W / s + W^2 / s^2)
+//                    m = M_0 (W^2 + b V W) / (W^2 + b V W + c V^2),   c = a s / (2 M_0),   b = c a k / M_0
 //
 // First order meets f, f', m, and m far away where either speed vanishes (Hertz: s = 3 pi/8, M_0 = 3 pi a/16, k = 1/5,
 // so f = V / (V + 8/(3 pi) W) and m = M_0 W / (W + 15 pi/16 V)). Second order meets f''(0) = 0, m'(0) = 0 and
 // m''(0) = -a s too.
 //
 // No dissipation has these wrenches for its gradient: there is no limit surface of theirs, no Hessian, and no principle
-// of maximum dissipation. Their power is between 0.57 D and D (Hertz, first order), or between 0.94 D and 1.001 D (second
-// order), so that second order may also take more than Coulomb friction can. First order has a kink at w = 0 that the
-// exact force has not (1 - f ~ |w|).
+// of maximum dissipation. For a Hertz disc their power is between 0.57 D and D (first order), or between 0.94 D and
+// 1.001 D (second order), so that second order may also take more than Coulomb friction can. First order has a kink at
+// w = 0 that the exact force has not (1 - f ~ |w|).
 //
 // Domain   round patches about their own centre; every twist.
 // Units    V, W [m/s]; force [1], moment [m], per mu F_N = 1 N.

@@ -99,7 +99,7 @@ SupportValue QuarticGauge::support(const Twist& local) const noexcept {
     t += length * step;
     least = objective(t);
   }
-  // v = lambda n + r, n normal to the body at t: lambda <= h(v) <= lambda + h(r), and the body lies in e <= 1/margin^(1/4).
+  // v = lambda n + r, n normal to the body at t: lambda <= h(v) <= lambda + h(r). The body lies in e <= margin^(-1/4).
   const double g = std::sqrt(std::sqrt(q_(wrench(t))));
   const Twist n = q_.gradient(wrench(t));
   const Vector normal = Vector{n.vx, n.vy, n.w} / (4 * g * g * g);

@@ -13,8 +13,8 @@ struct Slip {
   Wrench wrench;
 };
 
-// About `count` slips, one of v and -v each, so that neither the twists nor the wrenches leave wide gaps: cones of twists
-// are bisected along the edge over which both together differ most, the one of the longest such edge first.
+// `count` slips, one of v and -v each, so that neither the twists nor the wrenches leave wide gaps: cones of twists are
+// bisected along the edge over which both together differ most, the one of the longest such edge first.
 std::vector<Slip> spread_slips(const SupportFunction& D, std::size_t count);
 
 }  // namespace patchgrip::friction

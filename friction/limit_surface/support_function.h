@@ -1,8 +1,8 @@
 // Support functions of convex bodies of wrenches, in the frame of the centre of pressure.
 //
-// The limit surface of a patch is the boundary of B = {t : t . v <= D(v) for all v}: D is the support function of B, and
-// D(v) is attained at the wrench grad D(v). Models of the limit surface are bodies of the same kind. They are compared
-// in a frame where B is close to the unit ball:
+// The limit surface of a patch is the boundary of B = {t : t . v <= D(v) for all v}: D is the support function of B,
+// and D(v) is attained at the wrench grad D(v). Models of the limit surface are bodies of the same kind. They are
+// compared in a frame where B is close to the unit ball:
 //
 //     v = (vx - w y, vy + w x, w l),    t = (fx, fy, (m - x fy + y fx) / l),    l = S(x, y) = M_0 / (mu F_N)
 //

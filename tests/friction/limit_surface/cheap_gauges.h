@@ -12,7 +12,7 @@
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/limit_surface/limit_surface.h>
-#include <patchgrip/friction/limit_surface/support_function.h>
+#include <patchgrip/friction/limit_surface/support_ratio.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>

@@ -154,6 +154,7 @@ TEST(QuarticGauge, NoLoadAsksForNothingAndLoadsThatAreNotFiniteForNoNumber) {
   EXPECT_EQ(gauge.twist({}).w, 0);
   EXPECT_EQ(gauge.dissipation({}), 0);
   const Gauge bad = gauge.gauge({0, 0, std::numeric_limits<double>::infinity()});
+  EXPECT_TRUE(std::isnan(bad.value) && std::isnan(bad.lower) && std::isnan(bad.upper) && std::isnan(bad.twist.w));
   EXPECT_EQ(bad.status, GaugeStatus::not_finite);
 }
 
