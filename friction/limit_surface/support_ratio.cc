@@ -30,6 +30,12 @@ Twist unit(const Twist& v) {
   return {v.vx / size, v.vy / size, v.w / size};
 }
 
+// a(v) / t . v at most, with t of the body of b up to its error.
+double ratio(const SupportValue& a, double power_of_b, double error_of_b) {
+  const double least = power_of_b / (1 + error_of_b) - rounding;
+  return least > 0 ? a.value * (1 + a.error + rounding) / least : infinity;
+}
+
 // How much the wrenches of both bodies turn from p to q, as the power of the change over the change of twist.
 double turn(const Corner& p, const Corner& q) {
   const Twist d{p.v.vx - q.v.vx, p.v.vy - q.v.vy, p.v.w - q.v.w};
@@ -62,12 +68,9 @@ class Search {
     for (const Corner& c : corners) sum = {sum.vx + c.v.vx, sum.vy + c.v.vy, sum.w + c.v.w};
     const Twist middle = unit(sum);
     const SupportValue a = a_(middle), b = b_(middle);
-    attained_ = std::max(attained_, a.value * (1 - a.error) / (b.value * (1 + b.error)));
+    attained_ = std::max(attained_, ratio(a, power(b.wrench, middle), b.error));
     double bound = 0;
-    for (const Corner& c : corners) {
-      const double least = power(b.wrench, c.v) / (1 + b.error) - rounding;
-      bound = std::max(bound, least > 0 ? c.a.value * (1 + c.a.error + rounding) / least : infinity);
-    }
+    for (const Corner& c : corners) bound = std::max(bound, ratio(c.a, power(b.wrench, c.v), b.error));
     cones_.push({corners, bound});
   }
 

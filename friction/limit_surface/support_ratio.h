@@ -11,7 +11,8 @@
 // bisected, the one of the largest bound first, along the edge over which the wrenches turn most, until the bound
 // exceeds a ratio that is attained by no more than the tolerance. The errors of both functions are counted in.
 //
-// Error    the result is never below the maximum; above it by <= tolerance, or by more where `most_cones` ended it.
+// Error    the result is never below the maximum; above it by <= tolerance, what the errors of the functions leave open
+//          (twice the sum of both, relative), and more where `most_cones` ended it.
 #pragma once
 
 #include <patchgrip/friction/limit_surface/support_function.h>
