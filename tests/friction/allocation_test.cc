@@ -8,6 +8,9 @@
 
 #include <patchgrip/friction/batch.h>
 #include <patchgrip/friction/law.h>
+#include <patchgrip/friction/limit_surface/ellipsoid_gauge.h>
+#include <patchgrip/friction/limit_surface/pade_wrench.h>
+#include <patchgrip/friction/limit_surface/quartic_gauge.h>
 #include <patchgrip/friction/seed_hertz_disc.h>
 #include <patchgrip/tests/friction/any_patch.h>
 
@@ -93,6 +96,19 @@ TEST(Allocation, DoesNotHappenInABatch) {
   EXPECT_EQ(allocations_of([&] { gradient(hertz, 1, batch); }), 0);
   EXPECT_EQ(allocations_of([&] { gradient(flat, 1, batch); }), 0);
   EXPECT_EQ(allocations_of([&] { gradient(ring, 1, batch); }), 0);
+}
+
+TEST(Allocation, DoesNotHappenInACheapGauge) {
+  const HertzDisc disc = HertzDisc::of_radius(1);
+  const auto evaluate_gauge = [](const auto& gauge) {
+    sink = gauge.gauge({0.3, -0.2, 0.1}).upper + gauge.dissipation({1, 2, 3}) + gauge.gradient({1, 0, 0.1}).m;
+  };
+  const auto ellipsoid = EllipsoidGauge::axis(disc);
+  const auto quartic = QuarticGauge::least_squares(disc);
+  const auto pade = PadeWrench::second_order(disc);
+  EXPECT_EQ(allocations_of([&] { evaluate_gauge(ellipsoid); }), 0);
+  EXPECT_EQ(allocations_of([&] { evaluate_gauge(quartic); }), 0);
+  EXPECT_EQ(allocations_of([&] { sink = pade.gradient({1, 2, 3}).m; }), 0);
 }
 
 }  // namespace
