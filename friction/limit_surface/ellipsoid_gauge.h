@@ -19,6 +19,8 @@
 //
 // Error    (1 - largest_deficit()) g <= gauge <= (1 + largest_excess()) g for every load, proven by bisection over all
 //          directions (support_ratio.h) and above the true maxima by <= 1e-5.
+//          even: 3.2 % too large, 3.0 % too small (Hertz disc); 7.1 % and 5.9 % (rectangle 4 : 1).
+// Cost     made in 2 to 50 ms.
 // Domain   every patch; loads whose squares neither overflow nor underflow.
 // Units    wrench [N], [N], [N m]; gauge [N]; the gauge is the least mu F_N that holds the load.
 // Throws   std::domain_error where the fitted quadric is no ellipsoid.

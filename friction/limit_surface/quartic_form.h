@@ -6,9 +6,9 @@
 //
 //     H(sum of l_i t_i) = sum of l_i l_j H(t_i, t_j),   l_i >= 0:
 //
-// it is positive there if all H(t_i, t_j) are. Cones are halved until that holds or a corner shows the contrary. A
-// convex quartic of three variables is a sum of squares of that kind (Ahmadi and Parrilo 2013); this test needs no
-// semidefinite programme, but refuses forms that are convex by less than rounding.
+// it is positive there if all H(t_i, t_j) are. Cones are halved until that holds or a corner shows the contrary. Every
+// convex quartic form of three variables is sos-convex (Ahmadi and Parrilo 2013), so that a semidefinite programme could
+// decide as well; this test needs none, but refuses forms that are convex by less than rounding.
 #pragma once
 
 #include <array>

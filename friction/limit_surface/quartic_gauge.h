@@ -14,6 +14,9 @@
 //
 // Error    (1 - largest_deficit()) g <= gauge <= (1 + largest_excess()) g for every load, proven by bisection over all
 //          directions (support_ratio.h) and above the true maxima by <= 1e-5.
+//          even: 0.46 % either way (Hertz disc), 0.45 % (uniform disc), 0.1 % (ring), 0.64 % (square), 2.4 % (rectangle
+//          4 : 1), 3.1 % (1000 : 1); two small discs far apart 10 %.
+// Cost     made in 0.02 to 0.5 s (even) or 0.005 to 0.2 s (least_squares).
 // Domain   every patch; loads whose fourth powers neither overflow nor underflow.
 // Units    wrench [N], [N], [N m]; gauge [N]; the gauge is the least mu F_N that holds the load.
 #pragma once
