@@ -7,8 +7,8 @@
 //     H(sum of l_i t_i) = sum of l_i l_j H(t_i, t_j),   l_i >= 0:
 //
 // it is positive there if all H(t_i, t_j) are. Cones are halved until that holds or a corner shows the contrary. Every
-// convex quartic form of three variables is sos-convex (Ahmadi and Parrilo 2013), so that a semidefinite programme could
-// decide as well; this test needs none, but refuses forms that are convex by less than rounding.
+// convex quartic form of three variables is sos-convex (Ahmadi and Parrilo 2013), so that a semidefinite programme
+// could decide as well; this test needs none, but refuses forms that are convex by less than rounding.
 #pragma once
 
 #include <array>
