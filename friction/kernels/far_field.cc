@@ -34,15 +34,29 @@ Form times_square(const Form& p) {  // (e_1^2 + e_2^2) p
   return result;
 }
 
+// What a term of degree k at the sample is multiplied by in the mean.
+long double factor(const BoundarySample& p, int k) { return p.weight / (k + 2); }
+long double factor(const PointLoad& p, int) { return p.share; }
+
 }  // namespace
 
 FarField::FarField(const std::vector<BoundarySample>& samples, double rho, long double offset_x, long double offset_y)
     : rho_(rho) {
+  expand(samples, offset_x, offset_y);
+}
+
+FarField::FarField(const std::vector<PointLoad>& loads, double rho, long double offset_x, long double offset_y)
+    : rho_(rho) {
+  expand(loads, offset_x, offset_y);
+}
+
+template <class Sample>
+void FarField::expand(const std::vector<Sample>& samples, long double offset_x, long double offset_y) {
   long double xx = 0, xy = 0, yy = 0;
-  for (const BoundarySample& p : samples) {
-    xx += p.weight * p.x * p.x;
-    xy += p.weight * p.x * p.y;
-    yy += p.weight * p.y * p.y;
+  for (const Sample& p : samples) {
+    xx += factor(p, 2) * p.x * p.x;
+    xy += factor(p, 2) * p.x * p.y;
+    yy += factor(p, 2) * p.y * p.y;
   }
   const long double angle = std::atan2(2 * xy, xx - yy) / 2;
   const long double c = std::cos(angle);
@@ -51,19 +65,19 @@ FarField::FarField(const std::vector<BoundarySample>& samples, double rho, long 
   axis_y_ = static_cast<double>(s);
 
   std::array<long double, start(degree + 1)> sum{};
-  sum[0] = -(c * offset_y - s * offset_x) / rho;  // C_1 = -cos: coefficient of e_2, then of e_1
-  sum[1] = -(c * offset_x + s * offset_y) / rho;
-  for (const BoundarySample& p : samples) {
-    const long double x = (c * p.x + s * p.y) / rho;
-    const long double y = (c * p.y - s * p.x) / rho;
+  sum[0] = -(c * offset_y - s * offset_x) / rho_;  // C_1 = -cos: coefficient of e_2, then of e_1
+  sum[1] = -(c * offset_x + s * offset_y) / rho_;
+  for (const Sample& p : samples) {
+    const long double x = (c * p.x + s * p.y) / rho_;
+    const long double y = (c * p.y - s * p.x) / rho_;
     const long double square = x * x + y * y;
     // rho^(n-1) P'_n(s / rho), n = k - 1: (n) P'_(n+1) = (2n + 1) s P'_n - (n + 1) rho^2 P'_(n-1)
     Form previous;
     Form current{1};
     for (int k = 2; k <= degree; ++k) {
       const Form term = times_linear(times_linear(current, -y, x), -y, x);  // t^2 P', t = x e_2 - y e_1
-      const long double factor = p.weight / ((k + 2) * (k * (k - 1.0L)));
-      for (std::size_t j = 0; j < term.size(); ++j) sum[start(k) + j] += factor * term[j];
+      const long double scale = factor(p, k) / (k * (k - 1.0L));
+      for (std::size_t j = 0; j < term.size(); ++j) sum[start(k) + j] += scale * term[j];
       const int n = k - 1;
       Form next = times_linear(current, x, y);
       for (long double& a : next) a *= (2 * n + 1) / static_cast<long double>(n);

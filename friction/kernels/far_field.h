@@ -14,6 +14,8 @@
 //
 // Domain   A <= 1 / nearest; the truncation at `degree` is then below 1e-17 of each result.
 // Error    force and moment about c <= 8 u times the sizes of their terms; far_field_test.cc.
+//
+// A uniform patch is given by its boundary, any other as point loads that have its moments up to `degree`.
 #pragma once
 
 #include <array>
@@ -31,6 +33,12 @@ struct BoundarySample {
   long double weight;
 };
 
+// A share of the normal force at a point relative to c: the mean of a term is sum share * term.
+struct PointLoad {
+  long double x, y;
+  long double share;
+};
+
 class FarField {
  public:
   static constexpr int degree = 22;
@@ -40,6 +48,7 @@ class FarField {
 
   // `offset` [m] is the true centroid minus c: what rounding c has left.
   FarField(const std::vector<BoundarySample>& samples, double rho, long double offset_x, long double offset_y);
+  FarField(const std::vector<PointLoad>& loads, double rho, long double offset_x, long double offset_y);
 
   bool reaches(double V, double w) const noexcept { return V >= nearest * rho_ * (w < 0 ? -w : w); }
 
@@ -50,6 +59,9 @@ class FarField {
   Hessian hessian(const Twist& v) const noexcept;
 
  private:
+  template <class Sample>
+  void expand(const std::vector<Sample>& samples, long double offset_x, long double offset_y);
+
   struct Local;
   struct Slope;
   Local local(const Twist& v) const noexcept;
