@@ -10,18 +10,22 @@ namespace patchgrip::friction::kernels {
 namespace {
 
 constexpr std::size_t chunk = 64;    // columns or rows whose logarithms are kept
-constexpr double least = 0x1p-1000;  // instead of ln 0, whose factor is 0
+constexpr double least = 0x1p-1000;  // added where a logarithm of 0 has the factor 0
 
-// Coordinates about the pole and the logarithms of their sizes.
+// Coordinates about the pole, their signs, their sizes and the logarithms of these.
 struct Lines {
   alignas(64) double at[chunk];
+  alignas(64) double sign[chunk];
+  alignas(64) double size[chunk];
   alignas(64) double log[chunk];
 };
 
 [[gnu::always_inline]] inline void fill(Lines& lines, const double* coordinates, std::size_t n, double pole) noexcept {
   for (std::size_t i = 0; i < n; ++i) {
     lines.at[i] = coordinates[i] - pole;
-    lines.log[i] = vector_log(std::max(std::fabs(lines.at[i]), least));
+    lines.sign[i] = std::copysign(1.0, lines.at[i]);
+    lines.size[i] = std::fabs(lines.at[i]) + least;
+    lines.log[i] = vector_log(lines.size[i]);
   }
 }
 
@@ -52,14 +56,14 @@ template <Derivatives derivatives>
         const CornerSpan span = block.spans[low + j];
         const std::size_t begin = std::max(span.begin, left) - left;
         const std::size_t end = std::clamp(span.end, left, left + width) - left;
-        const double b = rows.at[j], bb = b * b, size_b = std::fabs(b), log_b = rows.log[j];
+        const double b = rows.at[j], bb = b * b, sign_b = rows.sign[j], size_b = rows.size[j], log_b = rows.log[j];
         const double* c = block.c + (low + j) * block.columns + left;
         for (std::size_t i = begin; i < end; ++i) {
           const double a = columns.at[i];
           const double aa = a * a;
           const double d = std::sqrt(aa + bb);
-          const double along = std::copysign(vector_log(std::max(size_b + d, least)) - columns.log[i], b);
-          const double across = std::copysign(vector_log(std::max(std::fabs(a) + d, least)) - log_b, a);
+          const double along = sign_b * (vector_log(size_b + d) - columns.log[i]);
+          const double across = columns.sign[i] * (vector_log(columns.size[i] + d) - log_b);
           const double A = aa * along;
           const double B = bb * across;
           sum.S[i] += c[i] * (2 * a * b * d + a * A + b * B);

@@ -8,13 +8,13 @@
 //     grad S = sum -n [(p_M + h g_n) J1 + g_t K1] + g h J1 / 3
 //     Hess S = sum q n^T - n J1 g^T,   q = (p_M + h g_n)[n h L + tau (d1 - d0)] + g_t [n h (d1 - d0) + tau M2]
 //
-// (divergence theorem). The two triangles at an edge have opposite normals: only the jump of p and of g across it counts,
-// so an edge within a continuous pressure keeps g_n alone, one within a linear pressure nothing. The jump along the edge
-// is f + g_t t with f = p_M + h g_n, its value at the pole's foot.
+// (divergence theorem). The two triangles at an edge have opposite normals: only the jump of p and g across it counts,
+// so an edge in a continuous pressure keeps g_n alone, one in a linear pressure nothing. The jump along the edge is
+// f + g_t t with f = p_M + h g_n, its value at the pole's foot. With the length l of the edge,
 //
-//     L = 2 artanh(l / (d0 + d1)),   J1 = [l (d0 + d1) + (t0 + t1)(d1 - d0) + 2 h^2 L] / 4,   d1 - d0 = l (t0 + t1) / (d0 + d1)
+//     s = d0 + d1,   d1 - d0 = l (t0 + t1) / s,   L = 2 artanh(l / s),   J1 = [l s + (t0 + t1)(d1 - d0) + 2 h^2 L] / 4
 //
-// with the length l: distant edges keep their digits. Next to the pole L is a logarithm as in edge_sum.h.
+// so that distant edges keep their digits. Next to the pole L is a logarithm as in edge_sum.h.
 //
 // Error    u the unit of rounding, r >= every d: grad S to about u sum l (|jump| r + |g| r^2), S to r times that.
 //          sampled_mesh_test.cc.

@@ -38,10 +38,9 @@ std::vector<std::pair<std::size_t, std::size_t>> cut(std::size_t begin, std::siz
 
 }  // namespace
 
-GridPieces::GridPieces(std::vector<double> x, std::vector<double> y, std::vector<double> pressures)
+GridPieces::GridPieces(std::vector<double> x, std::vector<double> y, std::vector<double> pressures, Lanes lanes)
     : nx_(x.size() - 1), ny_(y.size() - 1), x_(std::move(x)), y_(std::move(y)), pressures_(std::move(pressures)) {
   x_.resize(x_.size() + vector_width, x_.back());
-  const Lanes lanes = widest_lanes();
   gradient_ = corner_kernel(Derivatives::first, lanes);
   hessian_ = corner_kernel(Derivatives::second, lanes);
 }

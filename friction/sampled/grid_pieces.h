@@ -20,7 +20,7 @@ struct CellRange {
 class GridPieces : public Pieces {
  public:
   // Grid lines, and a pressure per cell between them, x running fastest; the force is 1.
-  GridPieces(std::vector<double> x, std::vector<double> y, std::vector<double> pressures);
+  GridPieces(std::vector<double> x, std::vector<double> y, std::vector<double> pressures, Lanes lanes = widest_lanes());
 
   // Boxes of boxes over all cells, parents first; leaves of at most `columns` by `rows` cells.
   std::vector<PressureNode> make_tree(std::size_t columns, std::size_t rows);

@@ -17,9 +17,9 @@ struct Jump {
   double normal_slope = 0;
 };
 
-// Points per side of a product rule that integrates the kernel over a triangle with edges up to `size` half diagonals of
-// its box, for poles from the reach on: its singularity is at least reach - 1 away, beside the triangle at the worst.
-// What is interpolated is a polynomial: order + 1 points are enough for any.
+// Points per side of a product rule that integrates the kernel over a triangle with edges up to `size` half diagonals
+// of its box, for poles from the reach on: its singularity is at least reach - 1 away, beside the triangle at the
+// worst. What is interpolated is a polynomial: order + 1 points are enough for any.
 int points_per_side(double size, const LoadRule& rule) {
   const double away = 2 * (rule.reach - 1) / size;
   const double rho = away + std::sqrt(away * away + 1);

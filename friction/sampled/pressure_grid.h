@@ -3,9 +3,9 @@
 //     p(x, y) = pressures[j nx + i]   for   x0 + i dx < x < x0 + (i + 1) dx,   y0 + j dy < y < y0 + (j + 1) dy
 //
 // The kernel |P - M| is integrated exactly over every cell (sampled/corner_sums.h), so a pole on a corner or beside it
-// is like any other; the midpoint rule errs by order dx there. What remains is that the pressure is sampled: for a
-// smooth one the wrench converges with order 2, for p ~ sqrt(distance from the rim), as of Hertz, with order 3/2 or
-// better (sampled_grid_test.cc).
+// is like any other; the midpoint rule errs by order dx there. What remains is that the pressure is sampled at centres:
+// for a smooth one the wrench converges with order 2, for p ~ sqrt(distance from the rim), as of Hertz, with order 3/2
+// or a little better (sampled_order_test.cc).
 //
 // Domain   pressures finite and >= 0, at least one positive; at most 2^24 cells. Cells without pressure do not belong
 //          to the patch.

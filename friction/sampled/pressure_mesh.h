@@ -1,8 +1,9 @@
 // Friction of a pressure on triangles: linear between the nodes, or constant on each triangle.
 //
 // The distance integrals are exact for such pressures (sampled/edge_jumps.h), so a pole on a node, an edge or in a
-// triangle is like any other. What remains is that the pressure is sampled: for a smooth one the wrench converges with
-// order 2 in the length of the edges, linear or constant.
+// triangle is like any other. What remains is that the pressure is sampled: linear between the values of a smooth one
+// it converges with order 2 in the length of the edges, of Hertz's sqrt(distance from the rim) with order 3/2
+// (sampled_order_test.cc).
 //
 // Domain   triangles in either orientation, with an area; pressures finite and >= 0, at least one positive. Triangles
 //          that overlap are not looked for: their pressures add up, and so do their areas in area_radius().
