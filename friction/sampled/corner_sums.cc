@@ -29,8 +29,9 @@ struct Lines {
   }
 }
 
+// sum c (b d + A), sum c (a d + B) and the latter times b: S is homogeneous, 3 S = -a S_x - b S_y.
 struct Accumulated {
-  alignas(64) double S[chunk]{}, gx[chunk]{}, gy[chunk]{};
+  alignas(64) double gx[chunk]{}, gy[chunk]{}, b_gy[chunk]{};
 };
 
 struct AccumulatedHessian {
@@ -62,13 +63,14 @@ template <Derivatives derivatives>
           const double a = columns.at[i];
           const double aa = a * a;
           const double d = std::sqrt(aa + bb);
-          const double along = sign_b * (vector_log(size_b + d) - columns.log[i]);
-          const double across = columns.sign[i] * (vector_log(columns.size[i] + d) - log_b);
-          const double A = aa * along;
-          const double B = bb * across;
-          sum.S[i] += c[i] * (2 * a * b * d + a * A + b * B);
-          sum.gx[i] += c[i] * (b * d + A);
-          sum.gy[i] += c[i] * (a * d + B);
+          const TwoLogs logs = vector_logs(size_b + d, columns.size[i] + d);
+          const double along = sign_b * (logs.of_x - columns.log[i]);
+          const double across = columns.sign[i] * (logs.of_y - log_b);
+          const double x_term = c[i] * (b * d + aa * along);
+          const double y_term = c[i] * (a * d + bb * across);
+          sum.gx[i] += x_term;
+          sum.gy[i] += y_term;
+          sum.b_gy[i] += b * y_term;
           if constexpr (derivatives == Derivatives::second) {
             second.xx[i] += c[i] * a * along;
             second.xy[i] += c[i] * d;
@@ -77,7 +79,7 @@ template <Derivatives derivatives>
         }
       }
     }
-    sums.S += total(sum.S, width) / 6;
+    sums.S += (std::inner_product(sum.gx, sum.gx + width, columns.at, 0.0) + total(sum.b_gy, width)) / 6;
     sums.gx -= total(sum.gx, width) / 2;
     sums.gy -= total(sum.gy, width) / 2;
     if constexpr (derivatives == Derivatives::second) {

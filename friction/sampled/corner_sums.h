@@ -22,7 +22,7 @@
 namespace patchgrip::friction::kernels {
 
 struct CornerSpan {
-  std::size_t begin, end;  // multiples of 8
+  std::size_t begin, end;  // multiples of the vectors' width are fastest
 };
 
 // Corners row after row, x running fastest; each row and x padded to a multiple of 8 with corners of no weight.

@@ -39,7 +39,14 @@ std::vector<std::pair<std::size_t, std::size_t>> cut(std::size_t begin, std::siz
 }  // namespace
 
 GridPieces::GridPieces(std::vector<double> x, std::vector<double> y, std::vector<double> pressures, Lanes lanes)
-    : nx_(x.size() - 1), ny_(y.size() - 1), x_(std::move(x)), y_(std::move(y)), pressures_(std::move(pressures)) {
+    : nx_(x.size() - 1),
+      ny_(y.size() - 1),
+      lanes_(lanes == Lanes::eight  ? 8
+             : lanes == Lanes::four ? 4
+                                    : 2),
+      x_(std::move(x)),
+      y_(std::move(y)),
+      pressures_(std::move(pressures)) {
   x_.resize(x_.size() + vector_width, x_.back());
   gradient_ = corner_kernel(Derivatives::first, lanes);
   hessian_ = corner_kernel(Derivatives::second, lanes);
@@ -99,8 +106,8 @@ void GridPieces::add_leaf(const CellRange& r) {
       corners_.push_back(c);
       leaf.bends += std::fabs(c);
       if (c == 0) continue;
-      const std::size_t whole = k / vector_width * vector_width;
-      span = {std::min(span.begin, whole), whole + vector_width};
+      const std::size_t whole = k / lanes_ * lanes_;
+      span = {std::min(span.begin, whole), whole + lanes_};
     }
     span.begin = std::min(span.begin, span.end);
     spans_.push_back(span);

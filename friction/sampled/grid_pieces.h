@@ -42,6 +42,7 @@ class GridPieces : public Pieces {
   void add_leaf(const CellRange& range);
 
   std::size_t nx_, ny_;
+  std::size_t lanes_;
   std::vector<double> x_, y_;  // grid lines, x padded for whole vectors
   std::vector<double> pressures_;
   std::vector<double> corners_;  // second differences of the pressure, leaf after leaf

@@ -148,11 +148,16 @@ std::span<const double> load_points(int order) noexcept {
   return points<24>();
 }
 
-double load_error(int order, double R) noexcept { return 2 * std::pow(R + std::sqrt(R * R - 1), -order); }
+double load_error(int order, double R) noexcept { return 4 * R / 3 * std::pow(R + std::sqrt(R * R - 1), -order); }
 
 double load_reach(int order, double tolerance) noexcept {
-  const double rho = std::pow(2 / tolerance, 1.0 / order);
-  return std::max(1.5, (rho + 1 / rho) / 2);
+  // R + sqrt(R^2 - 1) = rho; each step brings R nearer by a factor of the order.
+  double R = 1.5;
+  for (int i = 0; i < 20; ++i) {
+    const double rho = std::pow(4 * R / (3 * tolerance), 1.0 / order);
+    R = std::max(1.5, (rho + 1 / rho) / 2);
+  }
+  return R;
 }
 
 LoadRule load_rule(double tolerance) noexcept {

@@ -10,7 +10,7 @@
 //
 // Error    relative to the load of the box (moment: to load times half diagonal, about the box's centre), with N points
 //          a side and the pole at R half diagonals from the centre, R >= 1.5:
-//              2 (R + sqrt(R^2 - 1))^-N
+//              (4/3) R (R + sqrt(R^2 - 1))^-N
 //          The base is the ellipse of convergence of a pole on the long axis, the factor is measured:
 //          sampled_kernels_test.cc. It holds for any pressure p >= 0.
 #pragma once

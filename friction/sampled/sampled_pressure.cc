@@ -171,7 +171,7 @@ BoundedWrench SampledPressure::centred_bound(const Twist& v) const noexcept {
         const Box& box = nodes_[k].box;
         const auto [jumps, bends] = errors_[k].roughness;
         const double r = std::hypot(X - box.x, Y - box.y) + box.half_diagonal();
-        const double error = unit * r * (jumps + bends * r);
+        const double error = unit * r * (2 * jumps + bends * r);
         force_error += error;
         moment_error += error * (r + r_pole);
       });

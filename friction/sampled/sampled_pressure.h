@@ -22,7 +22,7 @@
 namespace patchgrip::friction::kernels {
 
 // How rough the pieces of a box are: with r >= every distance their exact sums are good to
-// u (jumps r + bends r^2) in grad S, r times that in S.
+// u (2 jumps r + bends r^2) in grad S, r times that in S.
 struct Roughness {
   double jumps = 0;
   double bends = 0;

@@ -44,24 +44,36 @@ struct Reduced {
   return odd + even;
 }
 
+[[gnu::always_inline]] inline double logarithm(const Reduced& r, double s) noexcept {
+  const double half = 0.5 * r.f * r.f;
+  return r.k * ln2_high - ((half - (s * (half + artanh_rest(s)) + r.k * ln2_low)) - r.f);
+}
+
 }  // namespace detail
 
 [[gnu::always_inline]] inline double vector_log(double x) noexcept {
-  const auto [k, f] = detail::reduced(x);
-  const double s = f / (2 + f);
-  const double half = 0.5 * f * f;
-  return k * detail::ln2_high - ((half - (s * (half + detail::artanh_rest(s)) + k * detail::ln2_low)) - f);
+  const detail::Reduced r = detail::reduced(x);
+  return detail::logarithm(r, r.f / (2 + r.f));
+}
+
+struct TwoLogs {
+  double of_x, of_y;
+};
+
+// Two for one division, which vector units are slowest at.
+[[gnu::always_inline]] inline TwoLogs vector_logs(double x, double y) noexcept {
+  const detail::Reduced r = detail::reduced(x), q = detail::reduced(y);
+  const double a = 2 + r.f, b = 2 + q.f;
+  const double reciprocal = 1 / (a * b);
+  return {detail::logarithm(r, r.f * (b * reciprocal)), detail::logarithm(q, q.f * (a * reciprocal))};
 }
 
 // ln x for x = (1 + z) / (1 - z): of small z it keeps all digits, where x - 1 has lost them.
 [[gnu::always_inline]] inline double vector_log_of_ratio(double x, double z) noexcept {
-  const auto [k, f] = detail::reduced(x);
+  const detail::Reduced r = detail::reduced(x);
   const bool small = z < 0.125;
-  const double s = small ? z : f / (2 + f);
-  const double half = 0.5 * f * f;
-  const double rest = detail::artanh_rest(s);
-  const double whole = k * detail::ln2_high - ((half - (s * (half + rest) + k * detail::ln2_low)) - f);
-  return small ? z * (2 + rest) : whole;
+  const double s = small ? z : r.f / (2 + r.f);
+  return small ? z * (2 + detail::artanh_rest(s)) : detail::logarithm(r, s);
 }
 
 }  // namespace patchgrip::friction::kernels
