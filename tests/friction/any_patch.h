@@ -15,6 +15,8 @@
 #include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/sampled/pressure_grid.h>
+#include <patchgrip/friction/sampled/pressure_mesh.h>
 #include <patchgrip/friction/several.h>
 #include <patchgrip/friction/stamp_disc.h>
 #include <patchgrip/friction/uniform_disc.h>
@@ -25,8 +27,8 @@ namespace patchgrip::friction {
 
 using TestedPatch =
     std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc, HertzEllipse,
-                 Rectangle, Polygon, Placed<HertzDisc>, Placed<HertzEllipse>, Placed<Ring>, Placed<Polygon>,
-                 Placed<Rectangle>, Several>;
+                 Rectangle, Polygon, PressureGrid, PressureMesh, Placed<HertzDisc>, Placed<HertzEllipse>, Placed<Ring>,
+                 Placed<Polygon>, Placed<Rectangle>, Several>;
 
 struct NamedPatch {
   std::string name;
@@ -104,6 +106,11 @@ inline const std::vector<NamedPatch>& every_patch() {
     for (const Shape& shape : {triangle, l_shape, frame, comb, slender_100}) {
       all.push_back({shape.name, shape.patch(), corners_and_sides(shape.outer)});
     }
+    all.push_back({"PressureGrid", PressureGrid::exact({3, 2, 0.1, 0.05, -0.12, -0.04, {1, 4, 2, 0, 3, 1}}),
+                   corners_and_sides(box(-0.12, -0.04, 0.18, 0.06))});
+    all.push_back({"PressureMesh",
+                   PressureMesh::linear({{{0, 0}, {3, 0}, {3, 2}, {0, 2}}, {{0, 1, 2}, {0, 2, 3}}}, {1, 3, 0, 2}),
+                   corners_and_sides(box(0, 0, 3, 2))});
     all.push_back({"PlacedHertzDisc", Placed(HertzDisc::of_radius(0.5), 3, -2), rim(0.5, 3, -2)});
     all.push_back(
         {"PlacedHertzEllipse", Placed(HertzEllipse::of_semi_axes(0.5, 0.1), 3, -2), elliptic_rim(0.5, 0.1, 3, -2)});
