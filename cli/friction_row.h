@@ -4,6 +4,8 @@
 // radius that follows from bodies, is part of it.
 #pragma once
 
+#include <cmath>
+
 #include <patchgrip/cli/input_error.h>
 #include <patchgrip/cli/scene/contact_reader.h>
 #include <patchgrip/cli/scene/motions.h>
@@ -28,10 +30,23 @@ friction::BoundedWrench friction_row(const Contact& contact, const friction::Law
   if (turns && motion.angular_speed != 1) {
     add(error_of_twist(law, contact.normal_force, moments, gradient.value, motion.twist));
   }
+  const friction::Pole centre{contact.frame.x, contact.frame.y};
   if (turns && contact.radius_error > 0) {
-    const auto disc =
-        std::visit([&](const auto& d) { return DiscMotion::of(d, contact.centre, motion.twist); }, contact.patch);
+    const auto disc = std::visit([&](const auto& d) { return DiscMotion::of(d, centre, motion.twist); }, contact.patch);
     add(error_of_radius(law, contact.normal_force, disc, contact.radius_error));
+  } else if (turns && contact.shape_error > 0) {
+    add(error_of_shape(law, contact.normal_force, ShapeMotion::of(patch, centre, contact.extent, motion.twist),
+                       contact.shape_error));
+  }
+  if (contact.coarse) {
+    const friction::Wrench g =
+        friction::friction_wrench(law, contact.normal_force, placed(*contact.coarse, contact.frame), motion.twist)
+            .value;
+    add({std::hypot(row.value.fx - g.fx, row.value.fy - g.fy), std::fabs(row.value.m - g.m)});
+  }
+  if (contact.resistance) {  // its product with the mean coefficient is rounded
+    constexpr double unit = 0x1p-53;
+    add({unit * std::hypot(row.value.fx, row.value.fy), unit * std::fabs(row.value.m)});
   }
   return row;
 }

@@ -48,4 +48,21 @@ WrenchError error_of_radius(const Law& law, double normal_force, const DiscMotio
   return {force, moment + std::hypot(centre.x, centre.y) * force};
 }
 
+WrenchError error_of_shape(const Law& law, double normal_force, const ShapeMotion& motion, double delta) {
+  const auto& [centre, extent, v, moments, g, stiffness] = motion;
+  const double spin = std::fabs(v.w);
+  const Twist moved = moved_to(centre, v);
+  const double speed = std::hypot(moved.vx, moved.vy);
+  const double mu = friction::coefficient(law, moments, v);
+  const double dmu =
+      error_of_coefficient(law, friction::mean_square_speed(moments, v), 2 * delta * v.w * v.w * moments.polar);
+  const double bent = spin * extent * stiffness;
+  const double lever = 2 * extent * spin < speed ? 2 * extent * spin / speed : 1;
+  const double force = normal_force * (mu * delta * bent + dmu * std::hypot(g.fx, g.fy));
+  const double own_moment = g.m - (centre.x * g.fy - centre.y * g.fx);
+  const double moment = normal_force * (mu * delta * extent * (lever + bent) + dmu * std::fabs(own_moment) +
+                                        2 * delta * law.mu_viscous * spin * moments.polar);
+  return {force, moment + std::hypot(centre.x, centre.y) * force};
+}
+
 }  // namespace patchgrip::cli

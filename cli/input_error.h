@@ -6,6 +6,10 @@
 //     radius    da = delta a. D depends on a through a w alone, and is homogeneous of degree 1; so about the centre
 //               |df| = delta |w| |(H_xw, H_yw)|,   |dm| <= delta (|m| + |w| H_ww)
 //               where H is the Hessian of D; d(v_m^2) = 2 delta w^2 s_c, and the viscous moment likewise.
+//     shape     points of a patch moved by at most delta of their distance from its centre, which is at most e. With
+//               T = H_xx + H_yy >= integral p / |v_P|, and u the velocity of the centre, about which the pressure is
+//               symmetric,
+//               |df| <= delta |w| e T,   |dm| <= delta e (min(1, 2 e |w| / |u|) + |w| e T)
 //
 // Units    bounds [N], [N m], the moment about the contact frame's origin.
 // Error    products of two rounding errors are left out.
@@ -43,6 +47,24 @@ struct DiscMotion {
   friction::Wrench gradient;
   friction::Hessian hessian;
 };
+
+// What moved points of any patch need to know of its motion.
+struct ShapeMotion {
+  template <class P>
+  static ShapeMotion of(const P& patch, const friction::Pole& centre, double extent, const friction::Twist& v) {
+    const friction::Hessian h = patch.hessian(v);
+    return {centre, extent, v, patch.moments(), patch.gradient(v), h.xx + h.yy};
+  }
+
+  friction::Pole centre;
+  double extent;  // e [m]
+  friction::Twist twist;
+  friction::PressureMoments moments;
+  friction::Wrench gradient;
+  double stiffness;  // T [s/m]
+};
+
+WrenchError error_of_shape(const friction::Law& law, double normal_force, const ShapeMotion& motion, double delta);
 
 // Where the radius of the disc has the relative error `delta`; v may not be 0.
 WrenchError error_of_radius(const friction::Law& law, double normal_force, const DiscMotion& disc, double delta);

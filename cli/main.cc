@@ -18,10 +18,12 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <patchgrip/cli/accuracy/accuracy.h>
 #include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/limit/run_limit.h>
 #include <patchgrip/cli/output_file.h>
 #include <patchgrip/cli/press/run_press.h>
 #include <patchgrip/cli/scene/materials.h>
@@ -29,6 +31,7 @@
 #include <patchgrip/cli/scene/scene.h>
 #include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/cli/tabulate.h>
+#include <patchgrip/cli/unanswered.h>
 #include <patchgrip/version.h>
 
 namespace {
@@ -52,6 +55,10 @@ constexpr std::string_view about_tabulate =
 constexpr std::string_view about_press =
     "contact radius, pressure, approach and stiffness of bodies that press on each other (JSON)";
 
+constexpr std::string_view about_limit =
+    "does friction hold these loads: gauge, margin and the slip that is next (JSON); the limit surface as VTK, CSV, "
+    "SVG";
+
 constexpr std::string_view about_scenes =
     "SCENE names what touches, how it is loaded and what is asked for. Its format is described key by key in\n"
     "data/scenes/README.md (installed: share/patchgrip/scenes), beside ready-made scenes.\n"
@@ -63,12 +70,14 @@ constexpr std::string_view about_accuracy = "errors of every entry of reference 
 constexpr std::string_view about_failure =
     "Exit code 1 if an error exceeds the tolerance, or if something is not covered and --allow-uncovered is not given.";
 
-constexpr std::array<std::string_view, 3> subcommands{"tabulate", "press", "accuracy"};
+constexpr std::array<std::string_view, 4> subcommands{"tabulate", "press", "limit", "accuracy"};
 
 struct Arguments {
   std::string scene;
   std::string output = "-";
   std::string table;
+  std::string surface;
+  std::string picture;
   std::string materials;
   std::vector<std::string> tables;
   std::string tolerance = "1e-12";
@@ -91,7 +100,7 @@ cli::MaterialLibrary materials_of(const Arguments& arguments) {
 }
 
 void refuse_scene_as_output(const Arguments& arguments) {
-  for (const std::string& output : {arguments.output, arguments.table}) {
+  for (const std::string& output : {arguments.output, arguments.table, arguments.surface, arguments.picture}) {
     std::error_code no_such_output;
     if (std::filesystem::equivalent(arguments.scene, output, no_such_output)) {
       throw cli::OutputError(cli::printable(output, std::string::npos) + ": is the scene itself");
@@ -99,13 +108,33 @@ void refuse_scene_as_output(const Arguments& arguments) {
   }
 }
 
+void refuse_same_outputs(const Arguments& arguments) {
+  const std::array<std::pair<std::string_view, std::string_view>, 4> outputs{{{"--output", arguments.output},
+                                                                              {"--table", arguments.table},
+                                                                              {"--surface", arguments.surface},
+                                                                              {"--picture", arguments.picture}}};
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (outputs[i].second.empty() || outputs[i].second != outputs[j].second) continue;
+      throw cli::OutputError(fmt::format("{} and {} name the same file", outputs[i].first, outputs[j].first));
+    }
+  }
+}
+
+int run_limit(const Arguments& arguments) {
+  const cli::InterruptGuard guard;
+  const cli::MaterialLibrary materials = materials_of(arguments);
+  refuse_scene_as_output(arguments);
+  refuse_same_outputs(arguments);
+  cli::run_limit({arguments.scene, arguments.output, arguments.table, arguments.surface, arguments.picture}, materials);
+  return done;
+}
+
 int run_press(const Arguments& arguments) {
   const cli::InterruptGuard guard;
   const cli::MaterialLibrary materials = materials_of(arguments);
   refuse_scene_as_output(arguments);
-  if (!arguments.table.empty() && arguments.table == arguments.output) {
-    throw cli::OutputError("--table and --output name the same file");
-  }
+  refuse_same_outputs(arguments);
   cli::run_press({arguments.scene, arguments.output, arguments.table}, materials);
   return done;
 }
@@ -165,6 +194,15 @@ int run(int argc, char** argv) {
                    "CSV file to write: pressure and displacement along a line, the answers of a sweep, or a history")
       ->type_name("FILE");
 
+  CLI::App* limit = add_scene_command("limit", about_limit);
+  limit->add_option("--table", arguments.table, "CSV file to write: a row for each load")->type_name("FILE");
+  limit
+      ->add_option("--surface", arguments.surface,
+                   "file to write the limit surface to: .vtk (PolyData with normals and slips) or .csv")
+      ->type_name("FILE");
+  limit->add_option("--picture", arguments.picture, ".svg file to draw the limit surface and the loads in")
+      ->type_name("FILE");
+
   CLI::App* accuracy = app.add_subcommand("accuracy", std::string(about_accuracy));
   accuracy->footer(std::string(about_failure));
   accuracy->add_option("TABLE", arguments.tables, "reference tables (JSON)")->required();
@@ -180,6 +218,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
     if (tabulate->parsed()) return run_tabulate(arguments);
     if (press->parsed()) return run_press(arguments);
+    if (limit->parsed()) return run_limit(arguments);
     return cli::run_accuracy(arguments.tables, tolerance_of(arguments.tolerance), arguments.allow_uncovered, std::cout);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

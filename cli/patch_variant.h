@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include <patchgrip/friction/any_patch.h>
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/hertz_ellipse.h>
@@ -24,17 +25,26 @@ namespace patchgrip::cli {
 using PatchVariant = std::variant<friction::HertzDisc, friction::FlatPunchDisc, friction::UniformDisc, friction::Ring,
                                   friction::PowerDisc, friction::XydasKaoDisc, friction::HertzEllipse,
                                   friction::Rectangle, friction::Polygon, friction::SeedHertzDisc, friction::StampDisc,
-                                  friction::Several>;
+                                  friction::Several, friction::AnyPatch>;
 
-// f(patch) with the patch moved so that its own origin lies at `centre`.
+// f(patch) with the patch moved and turned so that its own axes lie at `frame`.
 template <class F>
-decltype(auto) visit_patch(const PatchVariant& patch, const friction::Pole& centre, F&& f) {
+decltype(auto) visit_patch(const PatchVariant& patch, const friction::PlanarFrame& frame, F&& f) {
   return std::visit(
-      [&](const auto& at_origin) -> decltype(auto) {
-        if (centre.x == 0 && centre.y == 0) return f(at_origin);
-        return f(friction::Placed{at_origin, centre.x, centre.y});
+      [&](const auto& own) -> decltype(auto) {
+        if (frame.x == 0 && frame.y == 0 && frame.angle == 0) return f(own);
+        return f(friction::Placed{own, frame});
       },
       patch);
+}
+
+inline friction::AnyPatch placed(const friction::AnyPatch& patch, const friction::PlanarFrame& frame) {
+  return friction::Placed{patch, frame};
+}
+
+template <class F>
+decltype(auto) visit_patch(const PatchVariant& patch, const friction::Pole& centre, F&& f) {
+  return visit_patch(patch, friction::PlanarFrame{centre.x, centre.y}, std::forward<F>(f));
 }
 
 }  // namespace patchgrip::cli

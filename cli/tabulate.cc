@@ -26,7 +26,7 @@ void tabulate(const Scene& scene, const std::string& scene_path, OutputFile& out
   const std::size_t rows = scene.motions.size();
   Progress progress("tabulate", rows, Progress::wanted(out.descriptor()));
   std::string text = table_head(scene, scene_path);
-  visit_patch(scene.contact.patch, scene.contact.centre, [&](const auto& patch) {
+  visit_patch(scene.contact.patch, scene.contact.frame, [&](const auto& patch) {
     for (std::size_t i = 0; i < rows; ++i) {
       InterruptGuard::check();
       const Motion motion = scene.motions[i];

@@ -1,35 +1,16 @@
 #include <patchgrip/cli/press/answer.h>
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <stdexcept>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include <patchgrip/cli/result_json.h>
 #include <patchgrip/version.h>
 
 namespace patchgrip::cli {
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json to_object(const std::vector<Result>& results) {
-  Json object = Json::object();
-  for (const Result& q : results) {
-    if (!std::isfinite(q.value) || !std::isfinite(q.error)) {
-      throw std::range_error(fmt::format("{} = {} +- {} leaves the range of a double", q.name, q.value, q.error));
-    }
-    object[q.name] = {{"value", q.value}, {"error", q.error}, {"unit", q.unit}};
-  }
-  return object;
-}
-
-}  // namespace
-
 std::string to_json(const Answer& answer, std::string_view scene_path, std::string_view title,
                     const std::vector<std::string>& contact) {
-  Json json;
+  nlohmann::ordered_json json;
   json["patchgrip"] = version;
   json["scene"] = scene_path;
   if (!title.empty()) json["title"] = title;
@@ -37,9 +18,9 @@ std::string to_json(const Answer& answer, std::string_view scene_path, std::stri
   json["law"] = answer.main.law;
   if (!answer.main.remark.empty()) json["remark"] = answer.main.remark;
   json["results"] = to_object(answer.main.results);
-  json["beside"] = Json::array();
+  json["beside"] = nlohmann::ordered_json::array();
   for (const LawAnswer& law : answer.beside) {
-    Json entry{{"law", law.law}};
+    nlohmann::ordered_json entry{{"law", law.law}};
     if (!law.remark.empty()) entry["remark"] = law.remark;
     entry["results"] = to_object(law.results);
     json["beside"].push_back(std::move(entry));

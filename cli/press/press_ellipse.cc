@@ -27,34 +27,8 @@ HertzEllipse loaded(const StaticLoad& load, const RelativeRadii& radii, double m
                                              : HertzEllipse::at_approach(load.value, radii, modulus);
 }
 
-// What rounding, also that of the angle between the bodies, does to the relative radii, to 1 - R_small/R_large and to
-// the direction of a: to these the more, the closer to a circle; to R_large the more, the closer to a saddle.
-struct Direction {
-  static Direction of(const CurvedSurface& first, const CurvedSurface& second, const RelativeRadii& radii) {
-    const double turn = second.direction - first.direction;
-    // |dp| + |dm| of relative_radii.h, where the curvatures differ by D = (1 - R_small/R_large) / R_small.
-    const double differences =
-        std::fabs(1 / first.radii[0] - 1 / first.radii[1]) + std::fabs(1 / second.radii[0] - 1 / second.radii[1]);
-    const double noise = (0x1p-62 + unit * std::fabs(turn)) * differences * radii.small;
-    // d(det) = dp dm sin(2 alpha) d(alpha), and det = 1 / (R_small R_large).
-    const double turned_det = unit * std::fabs(turn) * std::fabs(1 / first.radii[0] - 1 / first.radii[1]) *
-                              std::fabs(1 / second.radii[0] - 1 / second.radii[1]) * radii.small * radii.large;
-    const double angle = first.direction + radii.angle_a;
-    const double turned = radii.one_minus_ratio > 0 ? noise / radii.one_minus_ratio : std::numbers::pi;
-    return {angle, std::min(std::numbers::pi / 2, 2 * turned + unit * (std::numbers::pi + std::fabs(angle))),
-            1.01 * unit * radii.one_minus_ratio + noise, radii.small * (1.01 * unit + noise),
-            radii.large * (unit * radii.radius_units + noise + turned_det)};
-  }
-
-  double angle;        // of a [rad]
-  double error;        // [rad]
-  double ratio_error;  // of 1 - R_small/R_large
-  double small_error;  // of R_small [m]
-  double large_error;  // of R_large [m]
-};
-
 LawAnswer answer_of(const HertzEllipse& e, const StaticLoad& load, const RelativeRadii& radii, double modulus,
-                    const Direction& direction) {
+                    const EllipseDirection& direction) {
   const auto bounded = [](const char* name, double value, const char* of) {
     return within(name, value, HertzEllipse::error_units, of);
   };
@@ -111,6 +85,23 @@ void add_circles(Pressed& pressed, const RelativeRadii& radii) {
 
 }  // namespace
 
+EllipseDirection EllipseDirection::of(const CurvedSurface& first, const CurvedSurface& second,
+                                      const RelativeRadii& radii) {
+  const double turn = second.direction - first.direction;
+  // |dp| + |dm| of relative_radii.h, where the curvatures differ by D = (1 - R_small/R_large) / R_small.
+  const double differences =
+      std::fabs(1 / first.radii[0] - 1 / first.radii[1]) + std::fabs(1 / second.radii[0] - 1 / second.radii[1]);
+  const double noise = (0x1p-62 + unit * std::fabs(turn)) * differences * radii.small;
+  // d(det) = dp dm sin(2 alpha) d(alpha), and det = 1 / (R_small R_large).
+  const double turned_det = unit * std::fabs(turn) * std::fabs(1 / first.radii[0] - 1 / first.radii[1]) *
+                            std::fabs(1 / second.radii[0] - 1 / second.radii[1]) * radii.small * radii.large;
+  const double angle = first.direction + radii.angle_a;
+  const double turned = radii.one_minus_ratio > 0 ? noise / radii.one_minus_ratio : std::numbers::pi;
+  return {angle, std::min(std::numbers::pi / 2, 2 * turned + unit * (std::numbers::pi + std::fabs(angle))),
+          1.01 * unit * radii.one_minus_ratio + noise, radii.small * (1.01 * unit + noise),
+          radii.large * (unit * radii.radius_units + noise + turned_det)};
+}
+
 std::optional<CurvedSurface> curved_surface(const Shape& shape) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (std::holds_alternative<Plane>(shape)) return CurvedSurface{{infinity, infinity}, 0};
@@ -129,7 +120,7 @@ Pressed press_ellipse(const CurvedSurface& first, const CurvedSurface& second, d
   const RelativeRadii radii = at(scene.subject_place, [&] { return relative_radii_of(first, second); });
   const auto& load = std::get<StaticLoad>(scene.load);
   const HertzEllipse e = loaded(load, radii, modulus);
-  const auto direction = Direction::of(first, second, radii);
+  const auto direction = EllipseDirection::of(first, second, radii);
   const contact::EllipticPressure pressure = e.elliptic_pressure();
   const double c = std::cos(direction.angle);
   const double s = std::sin(direction.angle);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/press/press_ellipse.h>
@@ -14,7 +15,6 @@
 #include <patchgrip/cli/progress.h>
 #include <patchgrip/contact/half_space/convolution.h>
 #include <patchgrip/contact/half_space/height_map.h>
-#include <patchgrip/contact/half_space/press.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -53,6 +53,21 @@ Gap gap_of(const HeightMapFile& file, const CurvedSurface& other) {
   const double least = *std::ranges::min_element(gap.values);
   for (double& g : gap.values) g -= least;
   return gap;
+}
+
+// Whole cells only: what is left over at the upper ends is dropped on both sides.
+Gap averaged(Gap gap, int coarser) {
+  if (coarser == 1) return gap;
+  const Grid& fine = gap.grid;
+  const Grid grid = Grid::of_cells(fine.nx / coarser, fine.ny / coarser, fine.dx * coarser, fine.dy * coarser);
+  std::vector<double> values(grid.size());
+  const int left = fine.nx % coarser / 2, below = fine.ny % coarser / 2;
+  for (int j = 0; j < grid.ny * coarser; ++j) {
+    for (int i = 0; i < grid.nx * coarser; ++i) {
+      values[grid.index(i / coarser, j / coarser)] += gap.values[fine.index(left + i, below + j)] / (coarser * coarser);
+    }
+  }
+  return {grid, std::move(values)};
 }
 
 contact::Press press_of(const StaticLoad& load) {
@@ -118,16 +133,17 @@ const HeightMapFile* height_map_of(const BodyPair& pair) {
   return std::get_if<HeightMapFile>(&pair.second.shape);
 }
 
-Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene& scene) {
+PressedHalfSpace press_map(const BodyPair& pair, double modulus, const StaticLoad& load, const Place& bodies,
+                           int coarser) {
   const HeightMapFile& file = *height_map_of(pair);
   const bool first = std::holds_alternative<HeightMapFile>(pair.first.shape);
   const auto other = curved_surface(first ? pair.second.shape : pair.first.shape);
-  if (!other) scene.subject_place.refuse("a height map presses on a plane, a ball or a curved body");
+  if (!other) bodies.refuse("a height map presses on a plane, a ball or a curved body");
   if (file.periodic && !std::holds_alternative<Plane>(first ? pair.second.shape : pair.first.shape)) {
-    scene.subject_place.refuse("a periodic height map presses on a plane");
+    bodies.refuse("a periodic height map presses on a plane");
   }
   const auto surface = file.periodic ? contact::Surface::periodic : contact::Surface::free;
-  const Gap gap = at(file.place, [&] { return gap_of(file, *other); });
+  const Gap gap = averaged(at(file.place, [&] { return gap_of(file, *other); }), coarser);
 
   contact::PressSettings settings;
   constexpr int no_output = -1;  // nothing is written while it runs
@@ -137,8 +153,13 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
     const double digits = std::log(at.residual) / std::log(settings.tolerance);
     progress.at(static_cast<std::size_t>(100 * std::clamp(digits, 0., 1.)));
   };
-  const auto pressed = std::make_shared<const PressedHalfSpace>(contact::press_half_space(
-      gap.grid, surface, gap.values, modulus, press_of(std::get<StaticLoad>(scene.load)), settings));
+  return contact::press_half_space(gap.grid, surface, gap.values, modulus, press_of(load), settings);
+}
+
+Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene& scene) {
+  const auto pressed = std::make_shared<const PressedHalfSpace>(
+      press_map(pair, modulus, std::get<StaticLoad>(scene.load), scene.subject_place));
+  const Grid& grid = pressed->grid;
 
   if (std::isinf(pressed->area.error)) {
     throw std::domain_error(fmt::format(
@@ -147,7 +168,7 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
         pressed->counted_area / pressed->grid.cell_area()));
   }
   Pressed result{{answer_of(*pressed, modulus), {}, {}},
-                 std::min(gap.grid.nx * gap.grid.dx, gap.grid.ny * gap.grid.dy) / 4,
+                 std::min(grid.nx * grid.dx, grid.ny * grid.dy) / 4,
                  [pressed](double x, double y) -> SurfacePoint {
                    const auto cell = cell_at(pressed->grid, pressed->surface == contact::Surface::periodic, x, y);
                    if (!cell) return {{0, 0}};

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <patchgrip/cli/press/pressed.h>
+#include <patchgrip/contact/half_space/press.h>
 
 namespace patchgrip::cli {
 
 // Nothing where neither body is a height map. Throws SceneError for a file that cannot be read.
 const HeightMapFile* height_map_of(const BodyPair& pair);
+
+// The pressure of the two bodies, told at `bodies` in the scene, one of them a height map; on cells `coarser` times as
+// long and wide, heights averaged. Throws SceneError; std::runtime_error where it does not converge.
+contact::PressedHalfSpace press_map(const BodyPair& pair, double contact_modulus, const StaticLoad& load,
+                                    const Place& bodies, int coarser = 1);
 
 Pressed press_height_map(const BodyPair& pair, double contact_modulus, const PressScene& scene);
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include <patchgrip/cli/press/rounding.h>
-#include <patchgrip/contact/mesh_contact.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -37,7 +36,9 @@ double radius_of(const Shape& shape) {
   throw std::invalid_argument("a mesh presses on a ball, a hollow, a plane or another mesh");
 }
 
-MeshContact contact_of(const BodyPair& pair, const Place& bodies) {
+}  // namespace
+
+MeshContact mesh_contact(const BodyPair& pair, const Place& bodies) {
   const auto* first = std::get_if<MeshSurface>(&pair.first.shape);
   const auto* second = std::get_if<MeshSurface>(&pair.second.shape);
   const MeshSurface& mesh = first != nullptr ? *first : *second;
@@ -50,8 +51,6 @@ MeshContact contact_of(const BodyPair& pair, const Place& bodies) {
   return at(mesh.place, [&] { return MeshContact::with_ball(read_mesh(mesh), radius, point_of(mesh)); });
 }
 
-}  // namespace
-
 bool has_mesh(const BodyPair& pair) {
   return std::holds_alternative<MeshSurface>(pair.first.shape) ||
          std::holds_alternative<MeshSurface>(pair.second.shape);
@@ -60,7 +59,7 @@ bool has_mesh(const BodyPair& pair) {
 Pressed press_mesh(const BodyPair& pair, double modulus, const PressScene& scene) {
   const auto& load = std::get<StaticLoad>(scene.load);
   if (load.kind != LoadKind::normal_force) load.place.refuse("a mesh takes 'normal_force'");
-  const MeshContact contact = contact_of(pair, scene.subject_place);
+  const MeshContact contact = mesh_contact(pair, scene.subject_place);
   const auto pressed = contact.under_force(load.value, modulus);
   const auto& e = pressed.ellipse;
   // delta = (3/2) F / stiffness.

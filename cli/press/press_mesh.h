@@ -2,10 +2,14 @@
 #pragma once
 
 #include <patchgrip/cli/press/pressed.h>
+#include <patchgrip/contact/mesh_contact.h>
 
 namespace patchgrip::cli {
 
 bool has_mesh(const BodyPair& pair);
+
+// Of bodies told at `bodies` in the scene. Throws SceneError where the other body is neither a mesh, a ball nor a plane.
+contact::MeshContact mesh_contact(const BodyPair& pair, const Place& bodies);
 
 Pressed press_mesh(const BodyPair& pair, double contact_modulus, const PressScene& scene);
 

@@ -60,7 +60,7 @@ struct Described {
 };
 
 Described read_bodies(const TomlReader& contact, const MaterialLibrary& materials) {
-  contact.refuse_others({"bodies", "normal_force", "approach", "contact_radius", "centre", "model"},
+  contact.refuse_others({"bodies", "normal_force", "approach", "contact_radius", "centre", "angle", "model"},
                         "not used beside 'bodies'; give bodies, a patch or a fingertip");
   BodyPair pair = read_two_bodies(contact, "bodies", materials);
   std::vector<std::string> notes{"body A: " + pair.first.words, "body B: " + pair.second.words};
@@ -107,6 +107,7 @@ Described read_fingertip(const TomlReader& contact) {
 }
 
 Described read_subject(const TomlReader& contact, const MaterialLibrary& materials) {
+  if (contact.has("parts")) contact.refuse("parts", "rubbed, but not pressed: give bodies, a patch or a fingertip");
   if (contact.has("bodies")) return read_bodies(contact, materials);
   if (contact.has("patch")) return read_given_pressure(contact);
   if (contact.has("fingertip")) return read_fingertip(contact);
@@ -197,7 +198,7 @@ ProfileRequest read_profile(const TomlReader& scene) {
   ProfileRequest profile;
   profile.place = table.has("times") ? table.place("times") : scene.place("profile");
   if (table.has("distance")) profile.distance = read_sequence(table, "distance", non_negative("a distance in m"));
-  if (table.has("angle")) profile.angle = table.number("angle", {"an angle in rad", smallest_size, 1e3, true, true});
+  if (table.has("angle")) profile.angle = table.number("angle", any_angle("an angle in rad"));
   if (table.has("times")) profile.times = read_sequence(table, "times", time_range);
   return profile;
 }

@@ -9,6 +9,7 @@
 #include <patchgrip/cli/press/press_creep.h>
 #include <patchgrip/cli/press/press_tables.h>
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/unanswered.h>
 #include <patchgrip/version.h>
 
 namespace patchgrip::cli {

@@ -1,17 +1,11 @@
 // `patchgrip press SCENE`: the answer as JSON and, if asked for, a table as CSV.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include <patchgrip/cli/scene/materials.h>
 
 namespace patchgrip::cli {
-
-// The scene is well and good, but its question was not answered: something does not converge.
-struct Unanswered : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct PressFiles {
   std::string scene;

@@ -13,7 +13,7 @@ namespace patchgrip::cli {
 namespace {
 
 constexpr Quantity coordinate = any_sign("a coordinate in m");
-constexpr Quantity angle{"an angle in rad", smallest_size, 1e3, true, true};
+constexpr Quantity angle = any_angle("an angle in rad");
 
 std::vector<Direction> read_vectors(const TomlReader& table) {
   constexpr std::string_view allowed = "a vector [x, y], or several [[x, y], ...], none of them 0";

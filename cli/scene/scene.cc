@@ -1,5 +1,6 @@
 #include <patchgrip/cli/scene/scene.h>
 
+#include <optional>
 #include <utility>
 
 #include <patchgrip/cli/scene/friction_reader.h>
@@ -13,8 +14,10 @@ Scene load_scene(const std::filesystem::path& file) {
 }
 
 TomlReader scene_table(const TomlDocument& document) {
-  return {
-      document, document.root(), "", {"title", "contact", "friction", "poles", "adhesion", "load", "profile", "sweep"}};
+  return {document,
+          document.root(),
+          "",
+          {"title", "contact", "friction", "poles", "adhesion", "load", "profile", "sweep", "loads", "surface"}};
 }
 
 Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials) {
@@ -25,10 +28,17 @@ Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials)
   }
   if (!scene.has("contact")) scene.refuse("contact", "a table [contact] with a patch or two bodies");
   std::string title = scene.has("title") ? scene.text("title") : "";
-  const friction::Law law = read_friction(scene);
+  std::optional<friction::Law> law;
+  if (scene.has("friction")) law = read_friction(scene);
   Motions motions = read_motions(scene);
-  return {std::move(title), read_contact(scene, materials), law,
-          std::move(motions)};  // last what may be costly to make
+  Contact contact = read_contact(scene, materials);  // last what may be costly to make
+  if (contact.resistance) {
+    // Parts with their own coefficients are a patch of the friction stress: their mean coefficient makes mu F_N of it.
+    law = friction::Law::coulomb(*contact.resistance / contact.normal_force);
+  } else if (!law) {
+    law = read_friction(scene);  // says that it is missing
+  }
+  return {std::move(title), std::move(contact), *law, std::move(motions)};
 }
 
 }  // namespace patchgrip::cli

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <system_error>
 
+#include <patchgrip/cli/scene/csv_reader.h>
 #include <patchgrip/cli/scene/outline_reader.h>
 
 namespace patchgrip::cli {
@@ -14,7 +14,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr Quantity any_radius{"a radius in m, negative for a hollow", smallest_size, largest_size, false, true};
-constexpr Quantity angle{"an angle in rad", smallest_size, 1e3, true, true};
+constexpr Quantity angle = any_angle("an angle in rad");
 constexpr Quantity slope = positive("a slope");
 constexpr Quantity term_count{"a number of terms", 1, 60};
 constexpr Quantity exponent{"the exponent of r", 0.05, 100};
@@ -128,13 +128,6 @@ DescribedShape read_stamp(const TomlReader& body) {
   const Kind& stamp = stamps[body.choice("stamp", names)];
   refuse_others(body, stamp, "stamp");
   return stamp.read(body);
-}
-
-std::filesystem::path beside_scene(const TomlReader& body, std::string_view key) {
-  std::filesystem::path file = std::filesystem::path(body.document().name()).parent_path() / body.text(key);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) body.refuse(key, "no such file: " + file.string());
-  return file;
 }
 
 DescribedShape read_mesh(const TomlReader& body) {

@@ -7,14 +7,17 @@
 #include <cmath>
 
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/placed.h>
 
 namespace patchgrip::cli {
 namespace {
 
 using friction::HertzDisc;
+using friction::HertzEllipse;
 using friction::Law;
 using friction::Placed;
+using friction::PlanarFrame;
 using friction::Pole;
 using friction::Twist;
 using friction::Wrench;
@@ -74,6 +77,41 @@ TEST(InputError, OfTheRadiusDoesNotReachATranslation) {
   const WrenchError error = error_of_radius(Law::coulomb(0.5), normal_force, moving(1, {2, 3}, {1, 1, 0}), 1e-6);
   EXPECT_EQ(error.force, 0);
   EXPECT_EQ(error.moment, 0);
+}
+
+// An ellipse with wrong axes, that is turned as well: no point moves by more than the share of its distance that is told.
+RC_GTEST_PROP(InputError, AnEllipseThatIsOffChangesTheWrenchByNoMore, ()) {
+  const Law law = any_law();
+  const double a = logarithmic(1e-4, 1);
+  const double b = a * logarithmic(1e-2, 1);
+  const double stretch = 1e-6 * *rc::gen::inRange(-1, 2), squeeze = 1e-6 * *rc::gen::inRange(-1, 2);
+  const double turn = 1e-6 * *rc::gen::inRange(0, 2);
+  const Pole centre{signed_size(1e-5, 10), signed_size(1e-5, 10)};
+  const Pole pole{centre.x + a * signed_size(1e-4, 1e3), centre.y + b * signed_size(1e-4, 1e3)};
+  const Twist v = friction::twist_about(pole, signed_size(1e-3, 1e3));
+  const Placed given{HertzEllipse::of_semi_axes(a, b), PlanarFrame{centre.x, centre.y, 0.3}};
+  const Placed off{HertzEllipse::of_semi_axes(a * (1 + stretch), b * (1 + squeeze)),
+                   PlanarFrame{centre.x, centre.y, 0.3 + turn}};
+  const Wrench t = friction_wrench(law, normal_force, given, v).value;
+  const Wrench u = friction_wrench(law, normal_force, off, v).value;
+  const double delta = 1.01 * (1e-6 + (a / b - 1) * turn);
+  const WrenchError bound = error_of_shape(law, normal_force, ShapeMotion::of(given, centre, a, v), delta);
+  const double force = std::hypot(t.fx, t.fy);
+  const double arm = a + std::hypot(centre.x, centre.y);
+  require_bound(bound, t, u, 1e-13 * force, 1e-13 * (std::fabs(t.m) + arm * force));
+}
+
+TEST(InputError, OfTheShapeIsNotIdle) {
+  constexpr double delta = 1e-6;
+  const Law law = Law::coulomb(0.5);
+  const Twist v{0, 0, 1};
+  const auto moment = [&](double scale) {
+    return friction_wrench(law, normal_force, HertzEllipse::of_semi_axes(2 * scale, scale), v).value.m;
+  };
+  const auto motion = ShapeMotion::of(HertzEllipse::of_semi_axes(2, 1), {}, 2, v);
+  const double bound = error_of_shape(law, normal_force, motion, delta).moment;
+  EXPECT_LE(bound, 10 * std::fabs(moment(1 + delta) - moment(1)));
+  EXPECT_GE(bound, std::fabs(moment(1 + delta) - moment(1)));
 }
 
 // The twist is wrong by up to 2^-53 of its size: the wrench in extended precision says by how much that matters.

@@ -102,7 +102,8 @@ TEST_F(Program, PrintsItsVersion) {
 }
 
 TEST_F(Program, HelpsWithEverySubcommand) {
-  for (const auto* const arguments : {"--help", "tabulate --help", "press --help", "accuracy --help", "-h"}) {
+  for (const auto* const arguments :
+       {"--help", "tabulate --help", "press --help", "limit --help", "accuracy --help", "-h"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.code, 0) << arguments;
     EXPECT_THAT(result.out, HasSubstr("Usage: patchgrip")) << arguments;
@@ -112,10 +113,11 @@ TEST_F(Program, HelpsWithEverySubcommand) {
 
 TEST_F(Program, RefusesUnknownArgumentsWithCode2) {
   for (const auto* const arguments :
-       {"", "tabulat x", "--hepl", "tabulate", "tabulate scenes/disc.toml extra", "accuracy", "press",
-        "press scenes/disc.toml --tabel x", "tabulate scenes/disc.toml --output",
-        "tabulate --no-such-option scenes/disc.toml", "accuracy t.json --tolerance nan",
-        "accuracy t.json --tolerance -1", "accuracy t.json --tolerance 1e999", "accuracy t.json --tolerance 1x"}) {
+       {"", "tabulat x", "--hepl", "tabulate", "tabulate scenes/disc.toml extra", "accuracy", "press", "limit",
+        "limit scenes/disc.toml --pictures x.svg", "press scenes/disc.toml --tabel x",
+        "tabulate scenes/disc.toml --output", "tabulate --no-such-option scenes/disc.toml",
+        "accuracy t.json --tolerance nan", "accuracy t.json --tolerance -1", "accuracy t.json --tolerance 1e999",
+        "accuracy t.json --tolerance 1x"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.code, 2) << arguments;
     EXPECT_THAT(result.err, Not(IsEmpty())) << arguments;
@@ -181,6 +183,51 @@ TEST_F(Program, PressRefusesABadSceneWithCode2AndTouchesNoFile) {
   EXPECT_EQ(run("press scenes/disc.toml -o same --table same").code, 2);
   EXPECT_EQ(content(folder_ / "answer.json"), "old");
   EXPECT_EQ(content(folder_ / "surface.csv"), "old");
+}
+
+TEST_F(Program, LimitWritesAnswerTableSurfaceAndPicture) {
+  const std::string scene = scene_text("loads", test::good_disc + "[[loads]]\nforce = [3, 0.5]\nmoment = 0.002\n");
+  const Result result = run("limit " + scene + " --table loads.csv --surface surface.vtk --picture picture.svg");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("\"verdict\": \"holds\""));
+  EXPECT_THAT(content(folder_ / "loads.csv"), HasSubstr("\nforce_x_N,force_y_N,moment_Nm,gauge_N,"));
+  EXPECT_THAT(content(folder_ / "surface.vtk"), StartsWith("# vtk DataFile Version 3.0\n"));
+  EXPECT_THAT(content(folder_ / "picture.svg"), StartsWith("<svg "));
+  EXPECT_EQ(run("limit " + scene + " -o answer.json --surface surface.csv").code, 0);
+  EXPECT_EQ(content(folder_ / "answer.json"), result.out);
+  EXPECT_THAT(content(folder_ / "surface.csv"), HasSubstr("\n# net: meridians 96, parallels 48\n"));
+}
+
+TEST_F(Program, LimitLeavesFilesAloneWhenItRefuses) {
+  std::ofstream(folder_ / "kept.csv") << "old";
+  const std::string bad = scene_text("bad", test::good_disc + "[[loads]]\nforce = 3\n");
+  const Result result = run("limit " + bad + " -o kept.json --table kept.csv");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("bad.toml:10: loads[0].force = 3: a force [x, y] in N"));
+  EXPECT_EQ(content(folder_ / "kept.csv"), "old");
+  EXPECT_FALSE(fs::exists(folder_ / "kept.json"));
+  EXPECT_EQ(run("limit scenes/disc.toml --surface kept.csv --picture no/such/folder/p.svg").code, 2);
+  EXPECT_EQ(content(folder_ / "kept.csv"), "old");
+}
+
+TEST_F(Program, LimitRefusesFilesItCannotWrite) {
+  EXPECT_THAT(run("limit scenes/disc.toml --surface surface.stl").err,
+              HasSubstr("--surface writes a .vtk or a .csv file"));
+  EXPECT_THAT(run("limit scenes/disc.toml --picture picture.png").err, HasSubstr("--picture writes an .svg file"));
+  EXPECT_THAT(run("limit scenes/disc.toml --table a.csv --surface a.csv").err, HasSubstr("name the same file"));
+  EXPECT_EQ(run("limit scenes/disc.toml --picture p.png").code, 2);
+}
+
+TEST_F(Program, LimitStopsWhenAsked) {
+  const std::string scene = scene_text(
+      "many", test::good_polygon + "[[loads]]\nmoment = { from = 0, to = 1, count = 1000000 }\nforce = [1, 2]\n");
+  const int null = open("/dev/null", O_RDWR);
+  const pid_t child = start({"limit", scene, "-o", (folder_ / "never.json").string()}, null, null);
+  std::this_thread::sleep_for(300ms);
+  kill(child, SIGTERM);
+  EXPECT_EQ(code_of(child), 128 + SIGTERM);
+  close(null);
+  EXPECT_FALSE(fs::exists(folder_ / "never.json"));
 }
 
 TEST_F(Program, DoesNotReplaceItsScene) {

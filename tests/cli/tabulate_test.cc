@@ -258,5 +258,63 @@ TEST_F(Tabulate, ASignalLeavesTheOldTable) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
+const std::string poles_of_parts =
+    "[poles]\nlist = [[0.001, 0.002], [0.05, -0.03], [5, 4]]\ntranslation = { angle = 0.4 }\n";
+
+std::string two_halves(const std::string& first, const std::string& second) {
+  const std::string half = "[[contact.parts]]\npatch = \"rectangle\"\nsides = [0.02, 0.02]\nnormal_force = 0.5\n";
+  return half + "centre = [-0.01, 0]\n" + first + half + "centre = [0.01, 0]\n" + second;
+}
+
+void expect_same(const Table& a, const Table& b, double scale) {
+  ASSERT_EQ(a.rows.size(), b.rows.size());
+  for (std::size_t i = 0; i < a.rows.size(); ++i) {
+    const Row &p = a.rows[i], &q = b.rows[i];
+    EXPECT_LE(std::hypot(scale * p.fx - q.fx, scale * p.fy - q.fy), scale * p.force_error + q.force_error + 4e-16) << i;
+    EXPECT_NEAR(scale * p.m, q.m, scale * p.moment_error + q.moment_error + 4e-16 * std::fabs(q.m)) << i;
+  }
+}
+
+TEST_F(Tabulate, PartsTogetherAreThePatchThatTheyMake) {
+  const std::string law = "[friction]\nmu_static = 0.6\nmu_kinetic = 0.4\nstribeck_velocity = 0.05\nmu_viscous = 0.1\n";
+  const Table whole = table_of(
+      scene_of("[contact]\npatch = \"rectangle\"\nsides = [0.04, 0.02]\nnormal_force = 1\n" + law + poles_of_parts));
+  expect_same(table_of(scene_of(two_halves("", "") + law + poles_of_parts)), whole, 1);
+}
+
+TEST_F(Tabulate, PartsMayHaveTheirOwnCoefficients) {
+  const Table own = table_of(scene_of(two_halves("mu = 0.3\n", "mu = 0.3\n") + poles_of_parts));
+  const Table common = table_of(scene_of(two_halves("", "") + "[friction]\nmu = 0.3\n" + poles_of_parts));
+  expect_same(own, common, 1);
+  // The second part alone, in effect.
+  const Table one = table_of(scene_of(two_halves("mu = 0\n", "mu = 0.3\n") + poles_of_parts));
+  const Table alone =
+      table_of(scene_of("[contact]\npatch = \"rectangle\"\nsides = [0.02, 0.02]\ncentre = [0.01, 0]\nnormal_force = "
+                        "0.5\n[friction]\nmu = 0.3\n" +
+                        poles_of_parts));
+  expect_same(one, alone, 1);
+}
+
+TEST_F(Tabulate, CrossedRodsRubAsTheEllipseThatTheyMake) {
+  const std::string rods =
+      "[contact]\nnormal_force = 100\n[[contact.bodies]]\ncylinder = 5e-3\nmaterial = \"steel\"\n"
+      "[[contact.bodies]]\ncylinder = 12e-3\ndirection = 1.0\nmaterial = \"steel\"\n[friction]\nmu = 0.2\n"
+      "[poles]\nray = { angle = [0, 1, 2], distance = [0, 1e-5, 1e-4, 1e-3, 1] }\n";
+  const Scene scene = scene_of(rods);
+  EXPECT_GT(scene.contact.shape_error, 0);
+  EXPECT_EQ(scene.contact.radius_error, 0);
+  const Table table = table_of(scene);
+  for (const Row& row : table.rows) {
+    EXPECT_GT(row.moment_error, 0);
+    EXPECT_LE(row.force_error, 1e-12);
+  }
+  // Rods of one size at right angles make a circle.
+  const std::string square = with(with(rods, "12e-3", "5e-3"), "direction = 1.0", "direction = 1.5707963267948966");
+  const Table circle = table_of(scene_of(square));
+  const Table ball = table_of(scene_of(with(with(square, "cylinder = 5e-3", "radius = 5e-3"),
+                                            "cylinder = 5e-3\ndirection = 1.5707963267948966", "plane = true")));
+  expect_same(circle, ball, 1);
+}
+
 }  // namespace
 }  // namespace patchgrip::cli

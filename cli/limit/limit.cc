@@ -1,0 +1,79 @@
+#include <patchgrip/cli/limit/limit.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/progress.h>
+#include <patchgrip/cli/scene/scene_error.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using friction::AnyPatch;
+using friction::GaugeStatus;
+using friction::LimitSurface;
+
+constexpr double unit = 0x1p-53;
+
+// What holds for all loads: how much force and moment at most.
+std::vector<Result> contact_results(const LimitScene& scene, const LimitSurface<AnyPatch>& surface,
+                                    const Capacity& capacity) {
+  std::vector<Result> results{{"normal_force", scene.contact.normal_force, 0, "N"}};
+  if (!has_friction(scene)) return results;
+  if (scene.mu) results.push_back({"mu", *scene.mu, 0, "1"});
+  results.push_back({"greatest_force", capacity.value, unit * capacity.value, "N"});
+  const LoadAnswer pure = answer_load(surface, capacity, {0, 0, 1});
+  if (pure.gauge.value > 0 && std::isfinite(pure.gauge.value)) {
+    results.push_back({"greatest_moment_alone", pure.margin.value, pure.margin.error, "N m"});
+  }
+  return results;
+}
+
+}  // namespace
+
+Capacity capacity_of(const LimitScene& scene) {
+  Capacity capacity{.shape_error = scene.contact.shape_error};
+  if (scene.contact.resistance) {
+    capacity.value = *scene.contact.resistance;
+  } else if (scene.mu) {
+    capacity.value = *scene.mu * scene.contact.normal_force;
+  }
+  capacity.relative_error = unit;
+  return capacity;
+}
+
+LimitAnswer answer_limit(const LimitScene& scene, const std::string& scene_path) {
+  const LimitSurface surface{any_patch(scene.contact)};
+  std::optional<LimitSurface<AnyPatch>> coarse;
+  if (scene.contact.coarse) coarse.emplace(placed(*scene.contact.coarse, scene.contact.frame));
+  const Capacity capacity = capacity_of(scene);
+  LimitAnswer answer{contact_results(scene, surface, capacity), {}, scene.contact.warnings};
+  const std::size_t count = scene.loads.size();
+  constexpr int no_output = -1;  // nothing is written while it runs
+  Progress progress("limit", count, Progress::wanted(no_output));
+  answer.loads.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    InterruptGuard::check();
+    const friction::Wrench load = scene.loads[i];
+    LoadAnswer held = coarse ? answer_load(surface, *coarse, capacity, load) : answer_load(surface, capacity, load);
+    if (held.gauge.status == GaugeStatus::not_finite || !std::isfinite(held.gauge_error)) {
+      throw SceneError(scene_path, 0,
+                       fmt::format("the gauge of the load ({} N, {} N, {} N m) leaves the range of a double", load.fx,
+                                   load.fy, load.m));
+    }
+    answer.loads.push_back(std::move(held));
+    progress.at(i);
+  }
+  if (count > most_loads_listed) {
+    answer.warnings.push_back(
+        fmt::format("the first {} of {} loads are listed here; --table writes all", most_loads_listed, count));
+  }
+  return answer;
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,147 @@
+#include <patchgrip/cli/rubbed_bodies.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include <patchgrip/cli/press/press_ellipse.h>
+#include <patchgrip/cli/press/press_height_map.h>
+#include <patchgrip/cli/press/press_mesh.h>
+#include <patchgrip/cli/scene/patch_reader.h>
+#include <patchgrip/cli/scene/profile_of.h>
+#include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/unanswered.h>
+#include <patchgrip/contact/axisymmetric.h>
+#include <patchgrip/contact/hertz_circle.h>
+#include <patchgrip/contact/hertz_ellipse.h>
+#include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/sampled/pressure_grid.h>
+
+namespace patchgrip::cli {
+namespace {
+
+// Relative: 4 units of 2^-53 of its own, and a third of those of contact modulus (6) and relative radius (4).
+constexpr double computed_radius_error = 8 * 0x1p-53;
+
+// Relative, of the semi-axes: 1.6 units of their own, a third of those of the modulus, two thirds of those of the radii.
+constexpr double computed_axes_error = 8 * 0x1p-53;
+
+// The profiles' own, up to 4 + 8 / m units for the least m = 0.05 of a power, and that of their punch loads.
+constexpr double stamp_radius_error = 256 * 0x1p-53;
+
+RubbedBodies disc(DescribedPatch patch, double radius_error, std::string validity) {
+  return {.patch = std::move(patch.patch),
+          .radius_error = radius_error,
+          .shape_error = radius_error,
+          .notes = {std::move(patch.words), std::move(validity)}};
+}
+
+// The exponent m of w ~ s^m at the axis (stamp_disc.h).
+struct Order {
+  double operator()(const contact::Cone&) const { return 1; }
+  double operator()(const contact::PowerProfile& power) const { return power.exponent(); }
+  template <class Smooth>
+  double operator()(const Smooth&) const {
+    return 2;
+  }
+};
+
+DescribedPatch punch_stack(const BodyPair& pair, double force, double modulus) {
+  return visit_profile(pair, [&](auto profile, const ProfileName& name) -> DescribedPatch {
+    using P = decltype(profile);
+    if constexpr (std::is_same_v<P, contact::FlatEndCone> || std::is_same_v<P, contact::FlatEndParaboloid> ||
+                  std::is_same_v<P, contact::PointProfile>) {
+      throw std::invalid_argument("a stamp with a flat end or kinks is pressed, but not rubbed");
+    } else {
+      const double order = Order{}(profile);
+      const auto c = contact::AxisymmetricContact<P>::under_force(std::move(profile), force, modulus);
+      return {friction::StampDisc::of_punches(
+                  c.radius(), [&](double x) { return c.punch_load_density(x); }, order),
+              fmt::format("disc under {}, radius {} m", name.remark, c.radius())};
+    }
+  });
+}
+
+RubbedBodies ellipse_of_bodies(const CurvedSurface& first, const CurvedSurface& second, double force, double modulus) {
+  const auto radii = relative_radii_of(first, second);
+  const auto e = contact::HertzEllipse::under_force(force, radii, modulus);
+  const auto direction = EllipseDirection::of(first, second, radii);
+  // Turned by d, the points of an ellipse move by (a - b) sin d at most; relative to b where they are nearest.
+  const double turned = e.one_minus_b_a * e.a / e.b * std::min(direction.error, 1.);
+  return {
+      .patch = friction::AnyPatch(friction::HertzEllipse::of_semi_axes(e.a, e.b)),
+      .angle = direction.angle,
+      .shape_error = computed_axes_error + turned,
+      .extent = e.a,
+      .notes = {fmt::format("Hertz ellipse, semi-axes {} m and {} m, the first at {} rad", e.a, e.b, direction.angle),
+                fmt::format("from two bodies by Hertz, b/R_small = {:.2g} (the half-space theory wants it small)",
+                            e.b / radii.small)}};
+}
+
+RubbedBodies ellipse_of_mesh(const contact::MeshContact& mesh, double force, double modulus) {
+  const auto pressed = mesh.under_force(force, modulus);
+  const auto& e = pressed.ellipse;
+  return {.patch = friction::AnyPatch(friction::HertzEllipse::of_semi_axes(e.a, e.b)),
+          .shape_error = std::max(pressed.a_error / e.a, pressed.b_error / e.b),
+          .extent = e.a,
+          .notes = {fmt::format("Hertz ellipse, semi-axes {} m and {} m, the x-axis along the first", e.a, e.b),
+                    "from a mesh by Hertz; its errors are those of the fitted curvature"}};
+}
+
+friction::AnyPatch sampled(const contact::PressedHalfSpace& pressed) {
+  const contact::Grid& grid = pressed.grid;
+  const friction::PressureCells cells{
+      static_cast<std::size_t>(grid.nx), static_cast<std::size_t>(grid.ny), grid.dx,         grid.dy,
+      -0.5 * grid.nx * grid.dx,          -0.5 * grid.ny * grid.dy,          pressed.pressure};
+  return friction::PressureGrid::within(friction::PressureGrid::default_tolerance, cells);
+}
+
+RubbedBodies grid_of_bodies(const BodyPair& pair, double force, double modulus, const TomlReader& contact) {
+  if (height_map_of(pair)->periodic) throw std::invalid_argument("a periodic height map has no end, and so no patch");
+  const StaticLoad load{LoadKind::normal_force, force, contact.place("normal_force")};
+  const Place bodies = contact.place("bodies");
+  try {
+    const auto pressed = press_map(pair, modulus, load, bodies);
+    const auto& [nx, ny, dx, dy] = pressed.grid;
+    return {
+        .patch = sampled(pressed),
+        .coarse = sampled(press_map(pair, modulus, load, bodies, 2)),
+        .notes = {fmt::format("pressure by the numerical half-space on {} by {} cells of {} m by {} m", nx, ny, dx, dy),
+                  "errors hold the difference from half as many cells a side: an estimate"}};
+  } catch (const std::logic_error&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw Unanswered(fmt::format("{}: {}", printable(contact.document().name(), std::string::npos), error.what()));
+  }
+}
+
+}  // namespace
+
+RubbedBodies rub(const BodyPair& pair, double normal_force, const TomlReader& contact) {
+  const double modulus = contact::contact_modulus(pair.first.material, pair.second.material);
+  if (const auto radius = relative_radius_of(pair)) {
+    const double a = contact::HertzCircle::under_force(normal_force, *radius, modulus).radius;
+    return disc(
+        hertz_disc(contact, a), computed_radius_error,
+        fmt::format("from two bodies by Hertz, a/R = {:.2g} (the half-space theory wants it small)", a / *radius));
+  }
+  if (has_mesh(pair)) return ellipse_of_mesh(mesh_contact(pair, contact.place("bodies")), normal_force, modulus);
+  const auto first = curved_surface(pair.first.shape);
+  const auto second = curved_surface(pair.second.shape);
+  if (first && second) return ellipse_of_bodies(*first, *second, normal_force, modulus);
+  if (height_map_of(pair) != nullptr) return grid_of_bodies(pair, normal_force, modulus, contact);
+  const Shape* stamp = stamp_of(pair);
+  if (stamp == nullptr) throw std::invalid_argument("these two shapes make no patch that friction is known of");
+  if (const auto* punch = std::get_if<FlatPunchStamp>(stamp)) {
+    return disc({friction::FlatPunchDisc::of_radius(punch->radius),
+                 fmt::format("disc under a flat punch, radius {} m", punch->radius)},
+                0, "from two bodies: a flat punch on a half-space");
+  }
+  return disc(punch_stack(pair, normal_force, modulus), stamp_radius_error, "from two bodies: a stamp on a half-space");
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,28 @@
+// The patch that two bodies make when they are pressed on each other, for friction to act in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <patchgrip/cli/patch_variant.h>
+#include <patchgrip/cli/scene/body_reader.h>
+#include <patchgrip/cli/scene/toml_reader.h>
+
+namespace patchgrip::cli {
+
+struct RubbedBodies {
+  PatchVariant patch;
+  double angle = 0;         // of its axes against the contact frame [rad]
+  double radius_error = 0;  // relative, of a disc
+  double shape_error = 0;   // of any patch: how far its points may be off, relative to their distance from the centre
+  double extent = 0;        // that distance at most [m]
+  std::optional<friction::AnyPatch>
+      coarse{};  // by half as many cells a side: how far the numerical pressure may be off
+  std::vector<std::string> notes{};
+};
+
+// `contact` for its 'model'. Library errors (std::invalid_argument) pass; Unanswered where a pressure does not converge.
+RubbedBodies rub(const BodyPair& pair, double normal_force, const TomlReader& contact);
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,39 @@
+// Rows of numbers from a text file beside a scene: the pressures of a grid.
+//
+//     # any number of comments, and empty lines
+//     1.2e3, 0.8e3, 1.1e3
+//
+// Numbers separated by commas; blanks around them are ignored. All rows are of the same length.
+//
+// Throws   SceneError naming file, line and column.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <patchgrip/cli/scene/toml_reader.h>
+
+namespace patchgrip::cli {
+
+struct NumberRows {
+  std::size_t rows() const noexcept { return lines.size(); }
+  std::span<const double> operator[](std::size_t row) const noexcept {
+    return std::span(numbers).subspan(row * columns, columns);
+  }
+
+  std::size_t columns = 0;
+  std::vector<double> numbers;     // row by row
+  std::vector<std::size_t> lines;  // of the file, of each row
+};
+
+constexpr std::size_t most_numbers = std::size_t{1} << 24;
+
+NumberRows read_numbers(const std::filesystem::path& file);
+
+// The file that a key names, looked for beside the scene.
+std::filesystem::path beside_scene(const TomlReader& table, std::string_view key);
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,166 @@
+// What `patchgrip limit` refuses, with file, line, key and reason.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <patchgrip/cli/scene/csv_reader.h>
+#include <patchgrip/cli/scene/scene_error.h>
+
+#include "limit_scenes.h"
+
+namespace patchgrip::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using test::good_limit;
+using test::limit_scene;
+using test::with;
+
+struct Bad {
+  std::string name;
+  std::string text;
+  std::size_t line;
+  std::string message;
+};
+
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
+
+class BadLimit : public ::testing::TestWithParam<Bad> {};
+
+TEST_P(BadLimit, IsRefusedWithLineAndReason) {
+  try {
+    limit_scene(GetParam().text);
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_EQ(error.line(), GetParam().line) << error.what();
+    EXPECT_THAT(error.what(), ::testing::HasSubstr(GetParam().message));
+  }
+}
+
+const std::string parts = R"([[contact.parts]]
+patch = "uniform_disc"
+radius = 0.005
+normal_force = 2
+mu = 0.5
+[[contact.parts]]
+patch = "rectangle"
+sides = [0.01, 0.02]
+centre = [0.03, 0]
+angle = 0.3
+normal_force = 3
+mu = 0.4
+[[loads]]
+moment = 0.01
+)";
+
+std::string load(const std::string& keys) { return with(good_limit, "force = [3, 0.5]\nmoment = 0.002", keys); }
+
+std::vector<Bad> bad_scenes() {
+  return {
+      {"NoContact", "[friction]\nmu = 1\n", 1, "contact: missing"},
+      {"NothingTouches", "[contact]\nnormal_force = 1\n", 1, "contact: needs 'patch'"},
+      {"Adhesion", good_limit + "[adhesion]\nwork = 1\n", 10, "adhesion: not used by 'limit'"},
+      {"LoadOverTime", good_limit + "[load]\ntimes = 1\n", 10, "load: not used by 'limit'"},
+      {"MisspeltLoads", with(good_limit, "[[loads]]", "[[laods]]"), 7, "unknown key; did you mean 'loads'?"},
+      {"LoadsAsOneTable", with(good_limit, "[[loads]]", "[loads]"), 7, "loads: tables, each headed [[loads]]"},
+      {"EmptyLoad", load(""), 7, "loads[0]: needs 'force' or 'moment'"},
+      {"ForceOfThree", load("force = [1, 2, 3]"), 8, "loads[0].force = [1, 2, 3]: a force [x, y] in N"},
+      {"ForceAsText", load("force = \"big\""), 8, "loads[0].force = \"big\": a force [x, y] in N"},
+      {"ForceNotFinite", load("force = [nan, 0]"), 8, "loads[0].force[0] = nan: a component of a force in N"},
+      {"ForceTooLarge", load("force = [1e70, 0]"), 8, "loads[0].force[0] = 1e70: a component of a force in N"},
+      {"SizeNegative", load("force = { size = -1, angle = 0 }"), 8, "loads[0].force.size = -1: the size of a force"},
+      {"AngleMissing", load("force = { size = 1 }"), 8, "loads[0].force.angle: missing"},
+      {"AtWithoutForce", load("moment = 1\nat = [0, 0]"), 9, "loads[0].at = [0, 0]: where the force acts"},
+      {"PolarBesideForce", load("force = [1, 0]\npolar = 1"), 8, "loads[0].force = [1, 0]: not used beside 'azimuth'"},
+      {"PolarBeyondPi", load("polar = 4"), 8, "loads[0].polar = 4: an angle from the axis of moments"},
+      {"TooManyLoads", load("polar = { from = 0, to = 1, count = 2000 }\nazimuth = { from = 0, to = 1, count = 2000 }"),
+       7, "loads[0]: that makes 4e+06 loads, but a scene may have at most 1e+06"},
+      {"LengthOfAPoint", with(with(load("polar = 1"), "hertz_disc", "point"), "radius = 0.005\n", ""), 6,
+       "loads[0].length: missing: a length in m that makes a force of the moment"},
+      {"FewMeridians", good_limit + "[surface]\nmeridians = 3\n", 11,
+       "surface.meridians = 3: a whole number from 4 to 4000"},
+      {"HalfAParallel", good_limit + "[surface]\nparallels = 7.5\n", 11, "surface.parallels = 7.5: a whole number"},
+      {"ElevationBeyondUpright", good_limit + "[surface]\nview = { elevation = 2 }\n", 11,
+       "surface.view.elevation = 2: an elevation in rad"},
+      {"NegativeLength", good_limit + "[surface]\nlength = -1\n", 11, "surface.length = -1: a length in m"},
+      // contacts
+      {"AxesOfADisc", with(good_limit, "radius = 0.005", "radius = 0.005\nsemi_axes = [1, 2]"), 4,
+       "contact.semi_axes = [1, 2]: not used by a hertz_disc"},
+      {"AxisNegative", with(with(good_limit, "hertz_disc", "hertz_ellipse"), "radius = 0.005", "semi_axes = [1, -2]"),
+       3, "contact.semi_axes = -2: a length in m"},
+      {"AxesTooUnlike",
+       with(with(good_limit, "hertz_disc", "hertz_ellipse"), "radius = 0.005", "semi_axes = [1, 1e-7]"), 3,
+       "contact.semi_axes = [1, 1e-7]: "},
+      {"AngleOfText", with(good_limit, "radius", "angle = \"30\"\nradius"), 3,
+       "contact.angle = \"30\": an angle against the x-axis in rad"},
+      {"MuOfTheContact", with(good_limit, "radius", "mu = 0.4\nradius"), 3, "contact.mu = 0.4: unknown key"},
+      {"PartsAndForce", "[contact]\nnormal_force = 3\n" + parts, 2,
+       "contact.normal_force = 3: not used beside 'parts'"},
+      {"PartWithoutForce", with(parts, "normal_force = 2\n", ""), 1, "contact.parts[0].normal_force: missing"},
+      {"PartOfNoKind", with(parts, "uniform_disc", "uniform_disk"), 2,
+       "contact.parts[0].patch = \"uniform_disk\": unknown name; did you mean 'uniform_disc'?"},
+      {"PartWithAnothersKey", with(parts, "radius = 0.005", "radius = 0.005\nsides = [1, 1]"), 4,
+       "contact.parts[0].sides = [1, 1]: not used by a uniform_disc"},
+      {"PartNeedsMu", with(parts, "mu = 0.4\n", ""), 6, "contact.parts[1].mu: missing: needed here"},
+      {"PartsOfStribeck",
+       with(parts, "mu = 0.4\n", "") + "[friction]\nmu_static = 1\nmu_kinetic = 0.5\nstribeck_velocity = 1\n", 14,
+       "friction: parts with their own 'mu' rub by Coulomb's law"},
+      {"NoFrictionAtAll", with(with(parts, "mu = 0.5", "mu = 0"), "mu = 0.4", "mu = 0"), 1,
+       "contact.parts: resistance = 0 is not allowed"},
+      {"NegativeMu", with(parts, "mu = 0.4", "mu = -0.4"), 12, "contact.parts[1].mu = -0.4: a coefficient of friction"},
+      {"PartsNotTables", "[contact]\nparts = [1]\n", 2, "contact.parts = [1]: tables"},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Limit, BadLimit, ::testing::ValuesIn(bad_scenes()),
+                         [](const auto& given) { return given.param.name; });
+
+class NumberFile : public ::testing::Test {
+ protected:
+  NumberFile() : file_(fs::path(::testing::TempDir()) / ("numbers_" + std::to_string(::getpid()) + ".csv")) {}
+  ~NumberFile() override { fs::remove(file_); }
+
+  NumberRows rows(const std::string& text) const {
+    std::ofstream(file_) << text;
+    return read_numbers(file_);
+  }
+
+  std::string refusal(const std::string& text) const {
+    try {
+      (void)rows(text);
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  fs::path file_;
+};
+
+TEST_F(NumberFile, HoldsRowsBetweenComments) {
+  const NumberRows read = rows("# x, y\n\n 1, 2.5 ,-3e-1\r\n4,5,6\n");
+  ASSERT_EQ(read.rows(), 2U);
+  EXPECT_EQ(read.columns, 3U);
+  EXPECT_EQ(read[0][2], -0.3);
+  EXPECT_EQ(read[1][0], 4);
+  EXPECT_EQ(read.lines[1], 4U);
+}
+
+TEST_F(NumberFile, IsRefusedWithItsLine) {
+  const std::string name = file_.string();
+  EXPECT_EQ(refusal("1, 2\n3\n"), name + ":2: 1 columns, but line 1 has 2");
+  EXPECT_EQ(refusal("1, x\n"), name + ":1: column 2: 'x' is not a finite number");
+  EXPECT_EQ(refusal("1, nan\n"), name + ":1: column 2: 'nan' is not a finite number");
+  EXPECT_EQ(refusal("1,\n"), name + ":1: column 2: '' is not a finite number");
+  EXPECT_EQ(refusal("# nothing\n"), name + ": has no numbers");
+  fs::remove(file_);
+  EXPECT_THROW(read_numbers(file_), SceneError);
+}
+
+}  // namespace
+}  // namespace patchgrip::cli

@@ -1,0 +1,273 @@
+// The limit surface as the program writes it: mesh, VTK, CSV and picture.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <patchgrip/cli/limit/limit.h>
+#include <patchgrip/cli/limit/limit_mesh.h>
+#include <patchgrip/cli/limit/surface_files.h>
+#include <patchgrip/cli/limit/surface_picture.h>
+
+#include "limit_scenes.h"
+
+namespace patchgrip::cli {
+namespace {
+
+using friction::AnyPatch;
+using friction::Twist;
+using friction::Wrench;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string l_shape = R"([contact]
+patch = "polygon"
+vertices = [[0, 0], [0.03, 0], [0.03, 0.01], [0.01, 0.01], [0.01, 0.02], [0, 0.02]]
+normal_force = 4
+[friction]
+mu = 0.5
+)";
+
+struct Meshed {
+  AnyPatch patch;
+  LimitMesh mesh;
+};
+
+Meshed meshed(const std::string& text, double resistance = 2) {
+  const AnyPatch patch = any_patch(test::limit_scene(text).contact);
+  return {patch, mesh_of(patch, resistance, 0.008, 24, 16)};
+}
+
+TEST(LimitMesh, PointsLieOnTheLimitSurface) {
+  const auto [patch, mesh] = meshed(l_shape);
+  const friction::LimitSurface surface{patch};
+  ASSERT_EQ(mesh.points.size(), 15U * 24 + 2);
+  for (const LimitPoint& p : mesh.points) {
+    const friction::Gauge gauge = surface.gauge(p.wrench.value);
+    EXPECT_NEAR(gauge.value, 2, 4e-12);
+    // Their slip is the one that the gauge finds.
+    EXPECT_NEAR(friction::power(p.wrench.value, p.slip), 2 * patch.dissipation(p.slip), 1e-14);
+  }
+}
+
+// The slip is a normal that points outwards: no point of the surface lies beyond its plane.
+TEST(LimitMesh, SlipsAreOutwardNormalsOfAConvexBody) {
+  const LimitMesh mesh = meshed(l_shape).mesh;
+  for (std::size_t i = 0; i < mesh.points.size(); i += 7) {
+    const Twist& v = mesh.points[i].slip;
+    const double height = friction::power(mesh.points[i].wrench.value, v);
+    for (const LimitPoint& p : mesh.points) EXPECT_LE(friction::power(p.wrench.value, v), height + 1e-14);
+  }
+}
+
+// Every edge belongs to two cells, once in each direction.
+TEST(LimitMesh, IsClosedAndOriented) {
+  const LimitMesh mesh = meshed(l_shape).mesh;
+  std::map<std::pair<std::size_t, std::size_t>, int> edges;
+  for (int i = 0; i < mesh.parallels; ++i) {
+    for (int j = 0; j < mesh.meridians; ++j) {
+      const LimitMesh::Cell cell = mesh.cell(i, j);
+      const std::size_t corners = cell[3] == cell[0] ? 3 : 4;
+      for (std::size_t k = 0; k < corners; ++k) ++edges[{cell[k], cell[(k + 1) % corners]}];
+    }
+  }
+  for (const auto& [edge, count] : edges) {
+    EXPECT_EQ(count, 1);
+    EXPECT_EQ(edges.count({edge.second, edge.first}), 1U);
+  }
+  // Euler: faces + points - edges = 2
+  EXPECT_EQ(mesh.points.size() + static_cast<std::size_t>(mesh.parallels * mesh.meridians) - edges.size() / 2, 2U);
+}
+
+TEST(LimitMesh, CellsRunCounterClockwiseSeenFromOutside) {
+  const LimitMesh mesh = meshed(l_shape).mesh;
+  const auto at = [&](std::size_t i) {
+    const Wrench& t = mesh.points[i].wrench.value;
+    return std::array{t.fx, t.fy, t.m / mesh.length};
+  };
+  for (int i = 0; i < mesh.parallels; ++i) {
+    for (int j = 0; j < mesh.meridians; ++j) {
+      const LimitMesh::Cell cell = mesh.cell(i, j);
+      const auto a = at(cell[0]), b = at(cell[1]), c = at(cell[2]);
+      // The body holds the origin: the volume of the tetrahedron with it is positive.
+      const double volume =
+          a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+      EXPECT_GT(volume, 0) << i << ' ' << j;
+    }
+  }
+}
+
+// A reader of legacy VTK files, as strict as the format: keyword, count, that many numbers.
+struct VtkFile {
+  static VtkFile parse(const std::string& text) {
+    std::istringstream in(text);
+    VtkFile file;
+    std::string line, word;
+    std::getline(in, line);
+    EXPECT_EQ(line, "# vtk DataFile Version 3.0");
+    std::getline(in, file.title);
+    std::getline(in, line);
+    EXPECT_EQ(line, "ASCII");
+    std::getline(in, line);
+    EXPECT_EQ(line, "DATASET POLYDATA");
+    std::size_t count = 0, size = 0;
+    in >> word >> count >> line;
+    EXPECT_EQ(word, "POINTS");
+    file.points.resize(count);
+    for (auto& p : file.points) in >> p[0] >> p[1] >> p[2];
+    in >> word >> count >> size;
+    EXPECT_EQ(word, "POLYGONS");
+    std::size_t read = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t corners = 0;
+      in >> corners;
+      std::vector<std::size_t> polygon(corners);
+      for (auto& corner : polygon) in >> corner;
+      read += corners + 1;
+      file.polygons.push_back(polygon);
+    }
+    EXPECT_EQ(read, size);
+    in >> word >> count;
+    EXPECT_EQ(word, "POINT_DATA");
+    EXPECT_EQ(count, file.points.size());
+    for (auto* const vectors : {&file.normals, &file.slips}) {
+      std::string name, type;
+      in >> word >> name >> type;
+      vectors->resize(count);
+      for (auto& v : *vectors) in >> v[0] >> v[1] >> v[2];
+    }
+    std::string rest;
+    std::getline(in >> std::ws, rest);
+    EXPECT_EQ(rest, "SCALARS pole_share double 1");
+    std::getline(in, rest);
+    EXPECT_EQ(rest, "LOOKUP_TABLE default");
+    file.shares.resize(count);
+    for (double& share : file.shares) in >> share;
+    EXPECT_TRUE(in);
+    EXPECT_TRUE((in >> std::ws).eof());
+    return file;
+  }
+
+  std::string title;
+  std::vector<std::array<double, 3>> points, normals, slips;
+  std::vector<std::vector<std::size_t>> polygons;
+  std::vector<double> shares;
+};
+
+TEST(SurfaceFiles, VtkHoldsTheMesh) {
+  const LimitMesh mesh = meshed(l_shape).mesh;
+  const VtkFile file = VtkFile::parse(to_vtk(mesh, "a title"));
+  EXPECT_EQ(file.title, "a title");
+  ASSERT_EQ(file.points.size(), mesh.points.size());
+  ASSERT_EQ(file.polygons.size(), 16U * 24);
+  for (const auto& polygon : file.polygons) {
+    for (const std::size_t corner : polygon) EXPECT_LT(corner, file.points.size());
+  }
+  for (std::size_t i = 0; i < file.points.size(); ++i) {
+    EXPECT_EQ(file.points[i][0], mesh.points[i].wrench.value.fx + 0.0);
+    EXPECT_EQ(file.points[i][2], mesh.points[i].wrench.value.m / mesh.length + 0.0);
+    const auto& n = file.normals[i];
+    EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-15);
+    EXPECT_EQ(file.slips[i][2], mesh.points[i].slip.w + 0.0);
+    EXPECT_GE(file.shares[i], 0);
+    EXPECT_LE(file.shares[i], 1);
+  }
+  // The ends turn about the centroid, the equator slides.
+  EXPECT_EQ(file.shares.front(), 0);
+  EXPECT_EQ(file.shares[mesh.at(8, 3)], 1);
+}
+
+TEST(SurfaceFiles, VtkTitlesAreCutToWhatTheFormatAllows) {
+  const std::string text = to_vtk(meshed(l_shape).mesh, std::string(400, 'x'));
+  EXPECT_EQ(VtkFile::parse(text).title.size(), 255U);
+}
+
+TEST(SurfaceFiles, RowsSayPolesAndErrors) {
+  const LimitMesh mesh = meshed(l_shape).mesh;
+  const Table table = surface_rows(mesh, false);
+  ASSERT_EQ(table.rows.size(), mesh.points.size());
+  EXPECT_EQ(table.columns.front(), "force_x_N");
+  // Pure rotation about the centroid of the L, (0.0125, 0.0075) m.
+  EXPECT_NEAR(table.rows.front()[5], 0.0125, 1e-16);
+  EXPECT_NEAR(table.rows.front()[6], 0.0075, 1e-16);
+  const auto& translation = table.rows[mesh.at(8, 3)];
+  EXPECT_TRUE(std::isinf(translation[5]));
+  EXPECT_EQ(translation[9], 0);
+  for (const auto& row : table.rows) {
+    EXPECT_LE(row[3], 1e-12);
+    EXPECT_GT(row[3], 0);
+  }
+  EXPECT_EQ(surface_rows(mesh, true).columns.front(), "force_x");
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+PictureRequest request_of(const LimitScene& scene) {
+  return {scene.title, scene.surface.azimuth, scene.surface.elevation, capacity_of(scene).value,
+          answer_limit(scene, "scene").loads};
+}
+
+TEST(SurfacePicture, ShowsTheHalfThatFacesTheViewer) {
+  const LimitScene scene = test::limit_scene(l_shape);
+  const LimitMesh mesh = meshed(l_shape).mesh;
+  const std::string svg = picture_of(mesh, request_of(scene));
+  EXPECT_TRUE(svg.starts_with("<svg xmlns="));
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  const std::size_t cells = 24 * 16, legend = 80, faces = 3;
+  const std::size_t drawn = count_of(svg, "<polygon") - legend - faces;
+  EXPECT_NEAR(static_cast<double>(drawn), cells / 2., cells / 8.);
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(svg, Not(HasSubstr("a load that")));
+}
+
+TEST(SurfacePicture, MarksLoadsThatHoldAndLoadsThatSlip) {
+  const LimitScene scene = test::limit_scene(l_shape +
+                                             "[[loads]]\nforce = [0.1, 0.1]\n[[loads]]\nforce = [2.5, 0]\nat = "
+                                             "[0.0125, 0.0075]\n[[loads]]\nforce = [50, 0]\n");
+  const std::string svg = picture_of(meshed(l_shape).mesh, request_of(scene));
+  // One circle for the load that holds, one for that which slips, none for that which is far outside, two in the key.
+  EXPECT_EQ(count_of(svg, "<circle"), 4U);
+  EXPECT_THAT(svg, HasSubstr("a load that slips"));
+}
+
+TEST(SurfacePicture, EverythingStaysOnThePage) {
+  for (const char* view : {"azimuth = 0\nelevation = 0", "azimuth = 2.5\nelevation = 1.5707963267948966",
+                           "azimuth = -2\nelevation = -0.7"}) {
+    const LimitScene scene =
+        test::limit_scene(l_shape + "[surface.view]\n" + view + "\n[[loads]]\nforce = [2.5, 0]\nmoment = 1\n");
+    const std::string svg = picture_of(meshed(l_shape).mesh, request_of(scene));
+    const std::regex pair(R"((-?[\d.]+),(-?[\d.]+) ?)");
+    std::size_t spots = 0;
+    for (auto it = std::sregex_iterator(svg.begin(), svg.end(), pair); it != std::sregex_iterator(); ++it, ++spots) {
+      const double x = std::stod((*it)[1]), y = std::stod((*it)[2]);
+      EXPECT_TRUE(x >= 0 && x <= 120 && y >= 0 && y <= 110) << view << ": " << it->str();
+    }
+    EXPECT_GT(spots, 1000U);
+  }
+}
+
+TEST(SurfacePicture, TitlesAreText) {
+  const LimitScene scene = test::limit_scene("title = \"a < b & *c_d*\"\n" + l_shape);
+  EXPECT_THAT(picture_of(meshed(l_shape).mesh, request_of(scene)), HasSubstr("a &lt; b &amp; *c_d*"));
+}
+
+TEST(SurfacePicture, WithoutFrictionForcesArePerMuF) {
+  LimitScene scene = test::limit_scene(test::with(l_shape, "[friction]\nmu = 0.5\n", ""));
+  PictureRequest request = request_of(scene);
+  request.capacity.reset();
+  const std::string svg = picture_of(meshed(l_shape, 1).mesh, request);
+  EXPECT_THAT(svg, HasSubstr("µ"));
+}
+
+}  // namespace
+}  // namespace patchgrip::cli
