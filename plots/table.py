@@ -1,4 +1,4 @@
-"""Tables that `patchgrip tabulate` wrote: columns by name, and numbers from the comments in their heads."""
+"""Tables that `patchgrip tabulate` or `limit` wrote: columns by name, and numbers from the comments in their heads."""
 
 import re
 
@@ -31,6 +31,13 @@ class Table:
     @property
     def radius(self):
         return self.number("radius", " m")
+
+    @property
+    def length(self):
+        """a_K [m] of a table of loads, from the moments and the stick radii that it lists (4.52a)."""
+        row = np.argmax(np.abs(self["moment_Nm"]))
+        square = (self["stick_radius"][row] * self["gauge_N"][row]) ** 2 - self.force[row] ** 2
+        return abs(self["moment_Nm"][row]) / np.sqrt(square)
 
     @property
     def pole_distance(self):
