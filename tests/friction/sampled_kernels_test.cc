@@ -44,6 +44,18 @@ TEST(VectorLog, IsGoodToTwoUnitsOfRounding) {
   EXPECT_EQ(vector_log(1), 0);
 }
 
+TEST(VectorLog, TwoAtOnceAreGoodToSixUnitsOfRounding) {
+  std::mt19937_64 engine(6);
+  double worst = 0;
+  for (int i = 0; i < cases(20000); ++i) {
+    const double x = i % 2 == 0 ? uniform(engine, 0.5, 2) : log_uniform(engine, 1e-300, 1e300);
+    const double y = log_uniform(engine, 1e-3, 1e3);
+    const auto [of_x, of_y] = vector_logs(x, y);
+    worst = std::max({worst, units_of_rounding(of_x, log(Exact(x))), units_of_rounding(of_y, log(Exact(y)))});
+  }
+  EXPECT_LE(worst, 6);
+}
+
 TEST(VectorLog, OfARatioKeepsTheDigitsOfSmallOnes) {
   std::mt19937_64 engine(2);
   double worst = 0;
