@@ -7,7 +7,6 @@
 #include <patchgrip/friction/any_patch.h>
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
-#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/power_disc.h>
@@ -23,9 +22,8 @@
 namespace patchgrip::cli {
 
 using PatchVariant = std::variant<friction::HertzDisc, friction::FlatPunchDisc, friction::UniformDisc, friction::Ring,
-                                  friction::PowerDisc, friction::XydasKaoDisc, friction::HertzEllipse,
-                                  friction::Rectangle, friction::Polygon, friction::SeedHertzDisc, friction::StampDisc,
-                                  friction::Several, friction::AnyPatch>;
+                                  friction::PowerDisc, friction::XydasKaoDisc, friction::Rectangle, friction::Polygon,
+                                  friction::SeedHertzDisc, friction::StampDisc, friction::Several, friction::AnyPatch>;
 
 // f(patch) with the patch moved and turned so that its own axes lie at `frame`.
 template <class F>

@@ -24,9 +24,11 @@ struct Shape {
   std::vector<Exact> inputs;
   std::function<PatchVariant(Sizes)> build;
   bool round = false;
-  bool half_axes = false;         // the sizes are those of an ellipse
-  bool partly_covered = false;    // the library has only some members of the family
-  std::size_t corners = 0;        // of a polygon: the first sizes are their coordinates
+  bool half_axes = false;       // the sizes are those of an ellipse
+  bool partly_covered = false;  // the library has only some members of the family
+  std::size_t corners = 0;      // of a polygon or mesh: the first sizes are their coordinates
+  std::size_t columns = 0;      // of a grid: the first sizes are its lower left corner and its steps
+  std::size_t rows = 0;
   std::vector<Shape> parts = {};  // of a union; behind the sizes of each: centre, normal force, coefficient
 
   std::vector<double> sizes(Inputs which) const {
@@ -101,6 +103,43 @@ Shape read_polygon(TableObject& contact) {
   return {.inputs = std::move(coordinates), .build = build, .corners = corners};
 }
 
+Shape read_grid(TableObject& contact) {
+  std::vector<Exact> sizes;
+  for (const char* name : {"x0", "y0", "hx", "hy"}) sizes.push_back(contact.length(name).metres());
+  const auto rows = contact["cell_pressure"].filled();
+  const std::size_t ny = rows.size(), nx = rows.front().filled().size();
+  for (const TableNode& row : rows) {
+    for (const Exact& p : row.numbers(nx)) sizes.push_back(p);
+  }
+  const auto build = [nx, ny](Shape::Sizes s) -> PatchVariant {
+    return friction::PressureGrid::exact({nx, ny, s[2], s[3], s[0], s[1], {s.begin() + 4, s.end()}});
+  };
+  return {.inputs = std::move(sizes), .build = build, .columns = nx, .rows = ny};
+}
+
+Shape read_mesh(TableObject& contact) {
+  std::vector<Exact> sizes;
+  const auto vertices = contact.length("vertices");
+  const std::size_t corners = read_outline(vertices.node, vertices.factor, sizes);
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (const TableNode& triangle : contact["triangles"].filled()) {
+    std::array<std::size_t, 3>& indices = triangles.emplace_back();
+    const auto numbers = triangle.numbers(indices.size());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const auto index = static_cast<double>(numbers[i]);
+      if (!(index >= 0 && index < static_cast<double>(corners) && index == std::floor(index)))
+        triangle.fail("indices of vertices are expected");
+      indices[i] = static_cast<std::size_t>(index);
+    }
+  }
+  for (const Exact& p : contact["nodal_pressure"].numbers(corners)) sizes.push_back(p);
+  const auto build = [corners, triangles](Shape::Sizes s) -> PatchVariant {
+    const std::vector<Point> points = take_outline(s, corners);
+    return friction::PressureMesh::linear({points, triangles}, {s.begin(), s.end()});
+  };
+  return {.inputs = std::move(sizes), .build = build, .corners = corners};
+}
+
 std::array<Exact, 2> read_centre(TableObject& contact) {
   std::optional<TableObject::Length> centre = contact.find_length("centre");
   if (const auto bare = contact.find("centre")) {
@@ -125,6 +164,8 @@ std::optional<Shape> read_shape(const std::string& type, TableObject& contact) {
   if (type == "hertz_ellipse") return read_ellipse(contact);
   if (type == "rectangle_uniform") return read_rectangle(contact);
   if (type == "polygon_uniform") return read_polygon(contact);
+  if (type == "grid_cells") return read_grid(contact);
+  if (type == "triangles_linear") return read_mesh(contact);
   if (type == "union") return read_union(contact, false);
   if (type == "union_mu") return read_union(contact, true);
   return std::nullopt;
@@ -175,6 +216,12 @@ double extent_of(const Shape& shape, Shape::Sizes s, const PatchVariant& patch) 
   if (shape.round) return s[0];
   if (shape.half_axes) return std::max(s[0], s[1]);
   const auto centroid = std::visit([](const auto& p) { return p.moments(); }, patch);
+  if (shape.columns > 0) {
+    const auto farther = [](double start, double step, std::size_t n, double middle) {
+      return std::max(std::fabs(start - middle), std::fabs(start + static_cast<double>(n) * step - middle));
+    };
+    return std::hypot(farther(s[0], s[2], shape.columns, centroid.x), farther(s[1], s[3], shape.rows, centroid.y));
+  }
   double farthest = 0;
   if (!shape.parts.empty()) {
     for_each_part(shape.parts, s, [&](const Shape& part, Shape::Sizes own, Shape::Sizes more) {
