@@ -40,9 +40,4 @@ inline friction::AnyPatch placed(const friction::AnyPatch& patch, const friction
   return friction::Placed{patch, frame};
 }
 
-template <class F>
-decltype(auto) visit_patch(const PatchVariant& patch, const friction::Pole& centre, F&& f) {
-  return visit_patch(patch, friction::PlanarFrame{centre.x, centre.y}, std::forward<F>(f));
-}
-
 }  // namespace patchgrip::cli

@@ -11,6 +11,9 @@
 #include <vector>
 
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/sampled/pressure_grid.h>
+#include <patchgrip/friction/sampled/pressure_mesh.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -271,7 +274,8 @@ std::optional<TableContact> TableContact::read(const TableNode& node, std::strin
   };
   try {
     const PatchVariant patch = shape->build(shape->sizes(Inputs::rounded));
-    visit_patch(patch, centre_as(Inputs::rounded), [](const auto&) {});
+    const friction::Pole centre = centre_as(Inputs::rounded);
+    visit_patch(patch, {centre.x, centre.y}, [](const auto&) {});
     const bool exact = rounds_to_itself(centre[0]) && rounds_to_itself(centre[1]) &&
                        std::all_of(shape->inputs.begin(), shape->inputs.end(), rounds_to_itself);
     const auto instance = [&](Inputs inputs) -> Instance {

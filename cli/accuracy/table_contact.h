@@ -29,7 +29,7 @@ class TableContact {
   template <class F>
   decltype(auto) visit(Inputs inputs, F&& f) const {
     const Instance& instance = instances_[static_cast<std::size_t>(inputs)];
-    return visit_patch(instance.patch, instance.centre, std::forward<F>(f));
+    return visit_patch(instance.patch, {instance.centre.x, instance.centre.y}, std::forward<F>(f));
   }
 
  private:

@@ -27,6 +27,8 @@ class SampledPressure;
 
 class SampledPatch {
  public:
+  static constexpr double default_tolerance = 1e-12;
+
   double dissipation(const Twist& v) const noexcept;
   Wrench gradient(const Twist& v) const noexcept;
   BoundedWrench bounded_gradient(const Twist& v) const noexcept;
