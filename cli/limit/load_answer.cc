@@ -86,10 +86,9 @@ Slip slip_of(const Gauge& gauge, const Wrench& load, const PatchView& patch, con
     const Vector t = scaled(frame.wrench(load), 1 / gauge.value);
     const Vector d = frame.wrench(g.value);
     const Vector residual{t[0] - d[0], t[1] - d[1], t[2] - d[2]};
-    // The bound of input_error.h, for a pressure that reaches as far as that of Hertz.
-    const double reach = std::sqrt(5.);
-    const double bent = std::fabs(v.w) * reach * frame.length * (h.xx + h.yy);
-    const double shape = shape_error * (bent + reach * (1 + bent));
+    // A shape that is wider by delta bears a moment that is greater by delta, and takes its pole along.
+    const double shape = 2 * shape_error * std::fabs(t[2]);
+    moved += shape_error * speed;
     moved += distance_to_maximiser(frame, h, t, residual, g.force_error + g.moment_error / frame.length + shape);
   }
   const double spin_error = frame.length > 0 ? moved / frame.length : 0;

@@ -239,25 +239,6 @@ TEST_F(Tabulate, AWrenchBeyondDoubleIsAnErrorAndLeavesTheOldTable) {
   EXPECT_EQ(content(file), "old");
 }
 
-TEST_F(Tabulate, ASignalLeavesTheOldTable) {
-  const fs::path file = folder_ / "table.csv";
-  std::ofstream(file) << "old";
-  const Scene scene =
-      scene_of(with(test::good_disc, "list = [[0.001, 0.002], [0, 0]]",
-                    "grid = { x = { from = 0, to = 1, count = 10000 }, y = { from = 0, to = 1, count = 10000 } }"));
-  const InterruptGuard guard;
-  std::signal(SIGALRM, [](int) { std::raise(SIGINT); });
-  alarm(1);
-  {
-    OutputFile out(file.string());
-    EXPECT_THROW(tabulate(scene, "scene.toml", out), Interrupted);
-    EXPECT_GT(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
-  }
-  std::signal(SIGALRM, SIG_DFL);
-  EXPECT_EQ(content(file), "old");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
-}
-
 const std::string poles_of_parts =
     "[poles]\nlist = [[0.001, 0.002], [0.05, -0.03], [5, 4]]\ntranslation = { angle = 0.4 }\n";
 
@@ -314,6 +295,25 @@ TEST_F(Tabulate, CrossedRodsRubAsTheEllipseThatTheyMake) {
   const Table ball = table_of(scene_of(with(with(square, "cylinder = 5e-3", "radius = 5e-3"),
                                             "cylinder = 5e-3\ndirection = 1.5707963267948966", "plane = true")));
   expect_same(circle, ball, 1);
+}
+
+TEST_F(Tabulate, ASignalLeavesTheOldTable) {
+  const fs::path file = folder_ / "table.csv";
+  std::ofstream(file) << "old";
+  const Scene scene =
+      scene_of(with(test::good_disc, "list = [[0.001, 0.002], [0, 0]]",
+                    "grid = { x = { from = 0, to = 1, count = 10000 }, y = { from = 0, to = 1, count = 10000 } }"));
+  const InterruptGuard guard;
+  std::signal(SIGALRM, [](int) { std::raise(SIGINT); });
+  alarm(1);
+  {
+    OutputFile out(file.string());
+    EXPECT_THROW(tabulate(scene, "scene.toml", out), Interrupted);
+    EXPECT_GT(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  }
+  std::signal(SIGALRM, SIG_DFL);
+  EXPECT_EQ(content(file), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }
 
 }  // namespace
