@@ -33,7 +33,8 @@ def main():
     ellipse, l_shape, two = (Surface(path) for path in options.input[:3])
     compass = Table(options.input[3])
 
-    figure = plt.figure(figsize=(style.PAGE, 4.9), constrained_layout=False)
+    plt.rcParams["figure.constrained_layout.use"] = False  # places are given
+    figure = plt.figure(figsize=(style.PAGE, 4.9))
     for k, (surface, name) in enumerate(((ellipse, "a  Hertz ellipse 3:1"), (l_shape, "b  L-shape"), (two, "c  two patches"))):
         axes = figure.add_axes((0.33 * k - 0.035, 0.44, 0.36, 0.56), projection="3d")
         axes.patch.set_alpha(0)
