@@ -27,7 +27,8 @@ namespace {
 // Relative: 4 units of 2^-53 of its own, and a third of those of contact modulus (6) and relative radius (4).
 constexpr double computed_radius_error = 8 * 0x1p-53;
 
-// Relative, of the semi-axes: 1.6 units of their own, a third of those of the modulus, two thirds of those of the radii.
+// Relative, of the semi-axes: 1.6 units of their own, a third of those of the modulus, two thirds of those of the
+// radii.
 constexpr double computed_axes_error = 8 * 0x1p-53;
 
 // The profiles' own, up to 4 + 8 / m units for the least m = 0.05 of a power, and that of their punch loads.

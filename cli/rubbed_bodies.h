@@ -22,7 +22,8 @@ struct RubbedBodies {
   std::vector<std::string> notes{};
 };
 
-// `contact` for its 'model'. Library errors (std::invalid_argument) pass; Unanswered where a pressure does not converge.
+// `contact` for its 'model'. Library errors (std::invalid_argument) pass; Unanswered where a pressure does not
+// converge.
 RubbedBodies rub(const BodyPair& pair, double normal_force, const TomlReader& contact);
 
 }  // namespace patchgrip::cli

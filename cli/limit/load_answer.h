@@ -2,15 +2,16 @@
 //
 //     gauge g       smallest mu F_N (with parts of their own mu: smallest sum of mu_i F_i) that holds the load
 //     margin        mu F_N / g: the load may grow by this factor
-//     slip          the twist that the load starts, scaled to a mean sliding speed D = 1 m/s; then load . slip = g watts
+//     slip          the twist that the load starts, scaled to a mean sliding speed D = 1 m/s; then load . slip = g
+//                   watts
 //     stick radius  rho_H = sqrt(F^2 + (M / a_K)^2) / g                                             (seed 4.51, 4.52)
 //
 // Errors   gauge: the bracket of the library's certificate, and what the rounding of a shape that follows from bodies
-//          does to it. Points of a pressure that is symmetric about its centre, moved by at most delta of their distance
-//          from it, change D by no more than delta |w| S(centre) <= delta D, and so g by delta / (1 - delta).
+//          does to it. Points of a pressure that is symmetric about its centre, moved by at most delta of their
+//          distance from it, change D by no more than delta |w| S(centre) <= delta D, and so g by delta / (1 - delta).
 //          Where the pressure is computed on a grid, the difference from half as many cells is added to all.
 //          slip and pole: estimates, from one Newton step for what is left of the residual, the rounding of grad D and
-//          what the shape does to it. On a facet the pole is a point load, and known as that is.
+//          what the shape does to the moment. On a facet the pole is a point load, and known as that is.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// `patchgrip limit SCENE`: gauge, margin and slip of every load as JSON and, if asked for, as a table; the limit surface
-// for other programs, and a picture of it.
+// `patchgrip limit SCENE`: gauge, margin and slip of every load as JSON and, if asked for, as a table; the limit
+// surface for other programs, and a picture of it.
 #pragma once
 
 #include <string>

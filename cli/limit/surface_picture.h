@@ -1,8 +1,8 @@
 // A picture of the limit surface: forces to the sides, moment up, coloured by the slip that is next, with the loads.
 //
-// The surface is convex, so what faces the viewer hides everything else. The moment is drawn as m / L. A load that slips
-// is joined to the point of the surface that it passed; one that holds is drawn as the point in which its ray would
-// leave.
+// The surface is convex, so what faces the viewer hides everything else. The moment is drawn as m / L. A load that
+// slips is joined to the point of the surface that it passed; one that holds is drawn as the point in which its ray
+// would leave.
 #pragma once
 
 #include <optional>

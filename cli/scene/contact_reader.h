@@ -1,4 +1,5 @@
-// The table [contact] of a scene: a patch by its kind and size, several parts, or two bodies from which a patch follows.
+// The table [contact] of a scene: a patch by its kind and size, several parts, or two bodies from which a patch
+// follows.
 #pragma once
 
 #include <optional>

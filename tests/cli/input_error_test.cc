@@ -79,7 +79,8 @@ TEST(InputError, OfTheRadiusDoesNotReachATranslation) {
   EXPECT_EQ(error.moment, 0);
 }
 
-// An ellipse with wrong axes, that is turned as well: no point moves by more than the share of its distance that is told.
+// An ellipse with wrong axes, that is turned as well: no point moves by more than the share of its distance that is
+// told.
 RC_GTEST_PROP(InputError, AnEllipseThatIsOffChangesTheWrenchByNoMore, ()) {
   const Law law = any_law();
   const double a = logarithmic(1e-4, 1);
