@@ -274,8 +274,8 @@ std::optional<TableContact> TableContact::read(const TableNode& node, std::strin
   };
   try {
     const PatchVariant patch = shape->build(shape->sizes(Inputs::rounded));
-    const friction::Pole centre = centre_as(Inputs::rounded);
-    visit_patch(patch, {centre.x, centre.y}, [](const auto&) {});
+    const friction::Pole rounded = centre_as(Inputs::rounded);
+    visit_patch(patch, {rounded.x, rounded.y}, [](const auto&) {});
     const bool exact = rounds_to_itself(centre[0]) && rounds_to_itself(centre[1]) &&
                        std::all_of(shape->inputs.begin(), shape->inputs.end(), rounds_to_itself);
     const auto instance = [&](Inputs inputs) -> Instance {
