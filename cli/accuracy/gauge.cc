@@ -19,30 +19,8 @@ using friction::Wrench;
 // As far as rounding goes: the pole is only as good as the root of the error of the gauge.
 constexpr GaugeSettings to_rounding{.relative_gap = 1e-15};
 
-AccuracyReport::Kind kind(const char* section, const TableContact& contact, std::string_view quantity) {
-  return {section, contact.type(), std::string(quantity)};
-}
-
-void compare_load(const TableContact& contact, TableObject& row, AccuracyReport& report) {
-  const auto t = row["t"].numbers(3);
-  const Exact value = row["gauge_N"].positive();
-  const auto pole = row["pole"].numbers(2);
-  const auto sense = row.find("spin_sign");
-  row.find("dual_check_rel");  // the table's own check of itself
-  const auto q = measure([&](Inputs inputs) {
-    const Wrench load{as_double(t[0], inputs), as_double(t[1], inputs), as_double(t[2], inputs)};
-    return contact.visit(inputs, [&](const auto& patch) {
-      const Gauge g = LimitSurface(patch, to_rounding).gauge(load);
-      return std::array{g.value, -g.twist.vy / g.twist.w, g.twist.vx / g.twist.w, g.twist.w};
-    });
-  });
-  const std::string& place = row.node().place();
-  report.add(kind("gauge", contact, "gauge"), deviation(q, 0, value, value), place);
-  const Exact distance = sqrt(pole[0] * pole[0] + pole[1] * pole[1]);
-  const double a_K = contact.visit(Inputs::rounded, [](const auto& patch) { return patch.area_radius(); });
-  const bool turns_as_stated = !sense || (sense->number() < 0) == (q.value[3] < 0);
-  report.add(kind("gauge", contact, "pole"),
-             turns_as_stated ? deviation(q, 1, std::span(pole), std::max<Exact>(distance, a_K)) : failed, place);
+AccuracyReport::Kind kind(std::string_view section, const TableContact& contact, std::string_view quantity) {
+  return {std::string(section), contact.type(), std::string(quantity)};
 }
 
 void compare_direction(const TableContact& contact, TableObject& row, AccuracyReport& report) {
@@ -74,8 +52,33 @@ void compare_rows(const TableNode& node, const char* section, AccuracyReport& re
 
 }  // namespace
 
+void compare_gauge_load(std::string_view section, const TableContact& contact, TableObject& row,
+                        AccuracyReport& report) {
+  const auto t = row["t"].numbers(3);
+  const Exact value = row["gauge_N"].positive();
+  const auto pole = row["pole"].numbers(2);
+  const auto sense = row.find("spin_sign");
+  row.find("dual_check_rel");  // the table's own check of itself
+  const auto q = measure([&](Inputs inputs) {
+    const Wrench load{as_double(t[0], inputs), as_double(t[1], inputs), as_double(t[2], inputs)};
+    return contact.visit(inputs, [&](const auto& patch) {
+      const Gauge g = LimitSurface(patch, to_rounding).gauge(load);
+      return std::array{g.value / resistance_of(patch), -g.twist.vy / g.twist.w, g.twist.vx / g.twist.w, g.twist.w};
+    });
+  });
+  const std::string& place = row.node().place();
+  report.add(kind(section, contact, "gauge"), deviation(q, 0, value, value), place);
+  const Exact distance = sqrt(pole[0] * pole[0] + pole[1] * pole[1]);
+  const double a_K = contact.visit(Inputs::rounded, [](const auto& patch) { return patch.area_radius(); });
+  const bool turns_as_stated = !sense || (sense->number() < 0) == (q.value[3] < 0);
+  report.add(kind(section, contact, "pole"),
+             turns_as_stated ? deviation(q, 1, std::span(pole), std::max<Exact>(distance, a_K)) : failed, place);
+}
+
 void compare_gauge(const TableNode& section, AccuracyReport& report) {
-  compare_rows(section, "gauge", report, compare_load);
+  compare_rows(section, "gauge", report, [](const TableContact& contact, TableObject& row, AccuracyReport& r) {
+    compare_gauge_load("gauge", contact, row, r);
+  });
 }
 
 void compare_stick_radius(const TableNode& section, AccuracyReport& report) {

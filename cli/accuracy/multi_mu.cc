@@ -4,28 +4,14 @@
 #include <string>
 
 #include <patchgrip/cli/accuracy/sections.h>
-#include <patchgrip/friction/several.h>
 
 namespace patchgrip::cli {
 namespace {
 
 constexpr std::string_view section = "multi_mu";
 
-using friction::Placed;
-using friction::Several;
 using friction::Twist;
 using friction::Wrench;
-
-template <class P>
-double resistance_of(const P& patch) {
-  if constexpr (std::same_as<P, Several>) {
-    return patch.resistance();
-  } else if constexpr (std::same_as<P, Placed<Several>>) {
-    return patch.patch().resistance();
-  } else {
-    return 1;
-  }
-}
 
 // Wrench at unit spin and dissipated power, relative to R, R a_K and themselves.
 void compare_row(const TableContact& contact, TableObject& row, AccuracyReport& report) {
@@ -61,6 +47,11 @@ void compare_multi_mu(const TableNode& node, AccuracyReport& report) {
     for (const TableNode& row_node : entry->fields["rows"].filled()) {
       TableObject row(row_node);
       compare_row(entry->contact, row, report);
+      name_unread(row, section, report);
+    }
+    for (const TableNode& row_node : entry->fields["gauge_rows"].filled()) {
+      TableObject row(row_node);
+      compare_gauge_load(section, entry->contact, row, report);
       name_unread(row, section, report);
     }
     name_unread(entry->fields, section, report);

@@ -17,15 +17,19 @@ void compare_wrench_integrals(const TableNode& section, AccuracyReport& report);
 void compare_hessian_S(const TableNode& section, AccuracyReport& report);
 void compare_hessian_D(const TableNode& section, AccuracyReport& report);
 void compare_limit_curve(const TableNode& section, AccuracyReport& report);
+void compare_multi_mu(const TableNode& section, AccuracyReport& report);
 void compare_gauge(const TableNode& section, AccuracyReport& report);
 void compare_stick_radius(const TableNode& section, AccuracyReport& report);
-void compare_multi_mu(const TableNode& section, AccuracyReport& report);
 void compare_viscous(const TableNode& section, AccuracyReport& report);
 void compare_local_stribeck(const TableNode& section, AccuracyReport& report);
 void compare_example_4_8(const TableNode& example, AccuracyReport& report);
 
 // Fields of `object` that no comparison asked for.
 void name_unread(const TableObject& object, std::string_view section, AccuracyReport& report);
+
+// A row {t, gauge_N, pole, spin_sign}: the gauge over the resistance (table_contact.h), and the pole of the slip.
+void compare_gauge_load(std::string_view section, const TableContact& contact, TableObject& row,
+                        AccuracyReport& report);
 
 // The entry of a list, with its name in its place if it has one.
 TableNode named_entry(const TableNode& entry);

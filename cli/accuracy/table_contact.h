@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <string>
@@ -51,5 +52,17 @@ class TableContact {
   Description about_;
   std::array<Instance, input_steps.size()> instances_;  // by Inputs
 };
+
+// R = sum of mu_i F_i of several patches, 1 of a single one: what D and the gauge of `patch` are taken per unit of.
+template <class P>
+double resistance_of(const P& patch) {
+  if constexpr (std::same_as<P, friction::Several>) {
+    return patch.resistance();
+  } else if constexpr (std::same_as<P, friction::Placed<friction::Several>>) {
+    return patch.patch().resistance();
+  } else {
+    return 1;
+  }
+}
 
 }  // namespace patchgrip::cli

@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/unanswered.h>
 
 #include <patchgrip/tests/support/cases.h>
 
