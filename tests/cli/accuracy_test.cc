@@ -70,6 +70,8 @@ TEST_F(Accuracy, EveryCoveredContactOfEverySectionIsCompared) {
   for (const char* zone : {"hertz_ellipse", "rectangle_uniform", "polygon_uniform", "triangles_linear"}) {
     EXPECT_TRUE(has_line("wrench_integrals", zone, "far moment, relative")) << zone;
     EXPECT_TRUE(has_line("hessian_S", zone, "Hessian of S")) << zone;
+  }
+  for (const char* zone : {"hertz_ellipse", "rectangle_uniform", "polygon_uniform"}) {
     EXPECT_TRUE(has_line("gauge", zone, "gauge")) << zone;
     EXPECT_TRUE(has_line("gauge", zone, "pole")) << zone;
   }

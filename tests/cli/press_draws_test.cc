@@ -128,9 +128,13 @@ TEST(PressDraws, MaugisDugdale) {
     const auto point = curve.at(n);
     const std::string what = fmt::format("{}, lambda = {}", load, static_cast<double>(lambda));
     expect_within(answer, "maugis_parameter", lambda, what);
-    expect_within(answer, "contact_radius", point.A * exact.unit, what);
+    if (by_radius) {
+      expect_within(answer, "normal_force", point.force * load_unit, what);
+    } else {
+      EXPECT_EQ(result(answer, "normal_force").value, force) << what;
+      expect_within(answer, "contact_radius", point.A * exact.unit, what);
+    }
     expect_within(answer, "outer_radius", point.A * exact.unit * (1 + n), what);
-    expect_within(answer, "normal_force", point.force * load_unit, what);
     expect_within(answer, "approach", point.approach * exact.unit * exact.unit / exact.R, what);
   }
 }

@@ -144,7 +144,7 @@ const std::vector<BadScene>& bad_scenes() {
        "a stamp with a flat end or kinks is pressed, but not rubbed"},
       {"StampsOnBallsAreNotRubbed",
        with(bodies("radius = 0.01", "stamp = \"cone\"\nslope = 0.1"), "plane = true", "radius = 1"), 3,
-       "contact.bodies: bodies: a stamp presses on a plane"},
+       "contact.bodies: a stamp presses on a plane"},
       {"CreepIsNotRubbed", bodies("material = \"rubber\"", "maxwell = { E1 = 1e6, eta = 1e6 }\npoisson_ratio = 0.5"), 3,
        "friction acts between elastic bodies"},
       {"LoadOverTime", bodies("[friction]", "[load]\nnormal_force = [[0, 1]]\ntimes = [1]\n[friction]"), 9,
