@@ -158,7 +158,7 @@ TEST_P(FarOffScene, IsAnsweredOrRefusedAtItsPlace) {
   std::ifstream in(press_folder / (GetParam() + ".toml"));
   const std::string original{std::istreambuf_iterator<char>(in), {}};
   int refused = 0, number = 0;
-  const int stride = std::max(1, 60 / testing::cases(10));
+  const int stride = std::max(1, 70 / testing::cases(10));
   for_each_number(original, far_off, [&](const std::string& text) {
     if (++number % stride != 0) return;
     std::ofstream(scene) << text;
