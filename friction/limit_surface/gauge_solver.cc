@@ -14,7 +14,7 @@ namespace {
 
 constexpr double unit = 0x1p-53;
 
-// Newton's method needs up to 15, on slender patches and with the pole on a line load; more, and D has a kink.
+// Newton's method needs up to 15, with the pole on a line load; more, and D has a kink.
 constexpr int smooth_evaluations = 25;
 
 Vector moved(const Vector& a, double k, const Vector& b) noexcept {
@@ -140,22 +140,23 @@ class Maximiser {
     return Vector{s0, s1, s2};
   }
 
-  // The full step; where D has passed its least along it, to where the tangents of both ends meet. On the plane of all
-  // twists with the same t . v.
+  // The full step; where D has passed its least along it, less: to where the tangents of both ends meet, which finds
+  // kinks, then to the least of the cubic through both. On the plane of all twists with the same t . v.
   Iterate along(const Iterate& from, Vector step) noexcept {
-    const double power = dot(t_, from.u);
-    const double gain = dot(t_, step) / power;
-    double a = gain < -0.9 ? -0.9 / gain : 1;
-    const double k = 1 / (1 + a * gain);
-    for (std::size_t i = 0; i < 3; ++i) step[i] = a * k * (step[i] - gain * from.u[i]);
+    const double gain = dot(t_, step) / dot(t_, from.u);
+    const double share = gain < -0.9 ? -0.9 / gain : 1;
+    for (std::size_t i = 0; i < 3; ++i) step[i] = share / (1 + share * gain) * (step[i] - gain * from.u[i]);
     const double slope = dot(from.gradient, step);
-    a = 1;
-    Iterate to = at(moved(from.u, 1, step));
+    double a = 1;
+    Iterate to = at(moved(from.u, a, step));
     for (int tries = 0; tries < 8 && evaluations_ < settings_.max_evaluations; ++tries) {
       const double end = dot(to.gradient, step);
       if (narrow(to.bracket) || end <= -0.5 * slope || to.bracket.gap < 0.1 * from.bracket.gap) return to;
-      const double meet = (to.dissipation - from.value - a * end) / (slope - end);
-      a = meet > 0 && meet < 0.9 * a ? meet : 0.5 * a;
+      const double rise = (to.dissipation - from.value) / a;
+      const double c = slope + end - 3 * rise;
+      const double root = std::sqrt(c * c - slope * end);
+      const double least = tries == 0 ? (rise - end) / (slope - end) : 1 - (end + root - c) / (end - slope + 2 * root);
+      a *= least > 0 && least < 0.9 ? least : 0.5;
       to = at(moved(from.u, a, step));
     }
     return to;

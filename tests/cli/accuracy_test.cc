@@ -130,6 +130,8 @@ INSTANTIATE_TEST_SUITE_P(
         Value{"/limit_curve", "/0", "/points/4/f=F~1(mu F_N)"},
         Value{"/limit_curve", "/3", "/points/10/m=M~1(mu F_N a)"}, Value{"/limit_curve", "/1", "/f_at_m/1/m"},
         Value{"/limit_curve", "/1", "/f_at_m/1/f"}, Value{"/limit_curve", "/2", "/f_at_m/3/r_M_over_a"},
+        Value{"/gauge", "/0", "/rows/1/gauge_N"}, Value{"/gauge", "/2", "/rows/0/pole/0"},
+        Value{"/gauge", "/4", "/rows/1/pole/1"}, Value{"/stick_radius", "/0", "/rows/2/rho_H"},
         Value{"/misc/example_4_8", "", "/I1"}, Value{"/misc/example_4_8", "", "/aK_I3_over_L"},
         Value{"/misc/example_4_8", "", "/disc_moment_over_muFNL"}, Value{"/viscous", "", "/s0_m/0"},
         Value{"/viscous", "", "/s1_m2"}, Value{"/viscous", "", "/rows/0/t2_N"}, Value{"/viscous", "", "/rows/1/t3_Nm"},
@@ -171,6 +173,15 @@ TEST_F(Accuracy, InfiniteHessianAtAPoleThatIsNoDoubleIsNotCovered) {
       compare(with(ring_on_the_rim, R"("xi_M": "1", "eta_M": "0")", R"("xi_M": "0.28", "eta_M": "0.96")"));
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out, HasSubstr("Not covered: hessian_S: an infinite Hessian"));
+}
+
+TEST_F(Accuracy, SenseOfTheSlipIsCompared) {
+  json table;
+  table["gauge"] = json::array({committed_json()["/gauge/8"_json_pointer]});
+  EXPECT_EQ(compare(table.dump()).code, 0);
+  json& sense = table["/gauge/0/rows/0/spin_sign"_json_pointer];
+  sense = -sense.get<int>();
+  EXPECT_EQ(compare(table.dump()).code, 1);
 }
 
 TEST_F(Accuracy, SeveralTablesAreJudgedTogether) {
