@@ -11,12 +11,16 @@
 //     S_y = y beta^(-1/2)  [kappa u_mixed (beta/alpha)^(1/2) + sigma u_minor]
 //     T   = S - x S_x - y S_y = alpha^(-1/2) [m_pure (b^2 kappa^2 + sigma^2) + m_mixed kappa sigma]
 //
-// Every term is positive: force, moment and dissipation keep their digits at every pole, also where the moment along a
-// slender ellipse is small of second order. A pole inside has lambda = 0, kappa + sigma < 1 and more terms, all of them
-// constants of the ellipse: S is a polynomial there. The integrals are those of the dissertation's (4.47) for this
-// pressure, by Ivory's theorem; a = b is the Hertz disc.
+//     S_xx = alpha^(-1/2) [b^2 kappa h_pure/alpha + sigma u_mixed],   S_xy = -x y alpha^(-3/2) h_cross,
+//     S_yy = alpha^(-1/2) [sigma h_pure/alpha + kappa u_mixed]
 //
-// A patch is two numbers and a shared table of its shape, made in the factory.
+// Every term of force, moment and dissipation is positive: they keep their digits at every pole, also where the moment
+// along a slender ellipse is small of second order. A pole inside has lambda = 0, kappa + sigma < 1 and more terms, all
+// of them constants of the ellipse: S is a polynomial there. It is (4.47) for this pressure, as integrals over confocal
+// ellipses (Chandrasekhar, Ellipsoidal Figures of Equilibrium, ch. 3) taken by parts; a = b is the Hertz disc.
+//
+// A patch is two numbers and a table of its shape that copies share. Making the table takes about a millisecond, and the
+// longer the more slender the ellipse.
 //
 // Domain   every pole, also on the rim and at infinity; aspect ratio up to 1e6.
 // Units    a, b [m].
