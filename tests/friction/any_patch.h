@@ -25,10 +25,9 @@
 
 namespace patchgrip::friction {
 
-using TestedPatch =
-    std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc, HertzEllipse,
-                 Rectangle, Polygon, PressureGrid, PressureMesh, Placed<HertzDisc>, Placed<HertzEllipse>, Placed<Ring>,
-                 Placed<Polygon>, Placed<Rectangle>, Several>;
+using TestedPatch = std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc,
+                                 HertzEllipse, Rectangle, Polygon, PressureGrid, PressureMesh, Placed<HertzDisc>,
+                                 Placed<HertzEllipse>, Placed<Ring>, Placed<Polygon>, Placed<Rectangle>, Several>;
 
 struct NamedPatch {
   std::string name;
