@@ -24,8 +24,8 @@ bool changes_soon(const Changed& changed) noexcept {
 
 }  // namespace
 
-Workers::Workers(int threads) {
-  require_in("threads", threads, 1, most_threads);
+Workers::Workers(int threads)
+    : shares_(static_cast<std::size_t>(static_cast<int>(require_in("threads", threads, 1, most_threads)))) {
   threads_.reserve(static_cast<std::size_t>(threads - 1));
   try {
     for (int thread = 1; thread < threads; ++thread) threads_.emplace_back(&Workers::serve, this, thread);
@@ -47,8 +47,12 @@ void Workers::stop() noexcept {
 void Workers::share(int parts, Call call, const void* part) {
   call_ = call;
   part_ = part;
+  parts_ = parts;
   undone_ = static_cast<std::uint32_t>(parts);
-  tickets_ = ((tickets_ >> 32) + 1) << 32 | static_cast<std::uint32_t>(parts);
+  for (int share = 0; share < count(); ++share) {
+    std::atomic<std::uint64_t>& tickets = shares_[static_cast<std::size_t>(share)].tickets;
+    tickets = ((tickets >> 32) + 1) << 32 | static_cast<std::uint32_t>(begin(share + 1) - begin(share));
+  }
   ++round_;
   round_.notify_all();
   take_parts(0);
@@ -56,13 +60,19 @@ void Workers::share(int parts, Call call, const void* part) {
   for (std::uint32_t undone = undone_; undone != 0; undone = undone_) undone_.wait(undone);
 }
 
-// Whoever draws a ticket keeps its round open until the part is done: call and part are those of the round.
+// A thread takes its own share, then what the others have left of theirs.
 void Workers::take_parts(int thread) {
-  for (std::uint64_t ticket = tickets_; static_cast<std::uint32_t>(ticket) != 0;) {
-    if (!tickets_.compare_exchange_weak(ticket, ticket - 1)) continue;
-    call_(part_, static_cast<int>(static_cast<std::uint32_t>(ticket) - 1), thread);
+  for (int k = 0; k < count(); ++k) take_share((thread + k) % count(), thread);
+}
+
+// Whoever draws a ticket keeps its round open until the part is done: call, part and parts are those of the round.
+void Workers::take_share(int share, int thread) {
+  std::atomic<std::uint64_t>& tickets = shares_[static_cast<std::size_t>(share)].tickets;
+  for (std::uint64_t ticket = tickets; static_cast<std::uint32_t>(ticket) != 0;) {
+    if (!tickets.compare_exchange_weak(ticket, ticket - 1)) continue;
+    call_(part_, begin(share) + static_cast<int>(static_cast<std::uint32_t>(ticket) - 1), thread);
     if (--undone_ == 0) undone_.notify_one();
-    ticket = tickets_;
+    ticket = tickets;
   }
 }
 

@@ -27,7 +27,7 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  int count() const noexcept { return static_cast<int>(threads_.size()) + 1; }
+  int count() const noexcept { return static_cast<int>(shares_.size()); }
 
   // part(index, thread), thread in [0, count()).
   template <class Part>
@@ -57,6 +57,11 @@ class Workers {
 
   void share(int parts, Call call, const void* part);
   void take_parts(int thread);
+  void take_share(int share, int thread);
+  // The first part of a thread's share.
+  int begin(int thread) const noexcept {
+    return static_cast<int>(static_cast<std::int64_t>(parts_) * thread / count());
+  }
   void serve(int thread);
   void stop() noexcept;
 
@@ -66,8 +71,12 @@ class Workers {
   const void* part_ = nullptr;
   std::atomic<std::uint32_t> round_ = 0;  // a change wakes the threads
   std::atomic<bool> stopped_ = false;
-  // The round in the upper half, how many parts are left to take in the lower.
-  alignas(line) std::atomic<std::uint64_t> tickets_ = 0;
+  int parts_ = 0;
+  struct alignas(line) Share {
+    // The round in the upper half, how many parts are left to take in the lower.
+    std::atomic<std::uint64_t> tickets = 0;
+  };
+  std::vector<Share> shares_;
   alignas(line) std::atomic<std::uint32_t> undone_ = 0;  // parts of this round
   std::vector<std::thread> threads_;
 };
