@@ -34,6 +34,11 @@ PageMemory::PageMemory(std::size_t bytes)
   gaps_.emplace(block_.get(), size_);
 }
 
+void PageMemory::touch(std::size_t bytes, Workers& workers) {
+  workers.run(static_cast<int>((std::min(bytes, size_) + page - 1) / page),
+              [&](int k, int) { block_.get()[static_cast<std::size_t>(k) * page] = std::byte{}; });
+}
+
 void* PageMemory::do_allocate(std::size_t bytes, std::size_t wanted_alignment) {
   const std::size_t taken = spaced(bytes);
   const auto gap = std::ranges::find_if(gaps_, [&](const auto& free) { return free.second >= taken; });

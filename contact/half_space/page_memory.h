@@ -15,6 +15,8 @@
 #include <memory_resource>
 #include <new>
 
+#include <patchgrip/contact/half_space/workers.h>
+
 namespace patchgrip::contact {
 
 // Asks for large pages in memory that nobody has touched yet; nothing happens where there are none.
@@ -25,6 +27,9 @@ class PageMemory : public std::pmr::memory_resource {
   static constexpr std::size_t alignment = 64;
 
   explicit PageMemory(std::size_t bytes);
+
+  // Touches the first `bytes`, not in use yet: two threads that meet on a page would both clear it.
+  void touch(std::size_t bytes, Workers& workers);
 
  private:
   struct Free {

@@ -1,6 +1,7 @@
 #include <patchgrip/contact/half_space/coarse_to_fine.h>
 #include <patchgrip/contact/half_space/measured.h>
 #include <patchgrip/contact/half_space/press.h>
+#include <patchgrip/contact/half_space/solver_kernels.h>
 #include <patchgrip/contact/require.h>
 
 #include <algorithm>
@@ -99,9 +100,8 @@ std::vector<double> cropped(const Grid& grid, const Grid& large, std::span<const
 void check_gap(const Grid& grid, Surface surface, std::span<const double> gap) {
   Grid::of_cells(grid.nx, grid.ny, grid.dx, grid.dy);
   if (gap.size() != grid.size()) refuse("gap.size()", static_cast<double>(gap.size()), "must be nx ny of the grid");
-  const auto is_allowed = [](double f) { return std::abs(f) <= most_magnitude; };
-  if (const auto wrong = std::ranges::find_if_not(gap, is_allowed); wrong != gap.end()) {
-    require_in("gap", *wrong, -most_magnitude, most_magnitude);
+  if (!kernels::within(gap.size(), most_magnitude, gap.data())) {
+    for (const double f : gap) require_in("gap", f, -most_magnitude, most_magnitude);
   }
   if (surface == Surface::free) return;
   if (grid.nx % 2 != 0) refuse("nx", grid.nx, "must be even on a periodic surface");
@@ -174,12 +174,13 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   settings.check();
   require_in("contact_modulus", contact_modulus, least_magnitude, most_magnitude);
   check_gap(grid, surface, gap);
-  const double least = *std::ranges::min_element(gap);
+  const double least = kernels::least(gap.size(), gap.data());
   check_press(grid, surface, press, contact_modulus, least);
   check_start(grid, surface, start);
 
   Workers workers(settings.threads_on(grid)), alone(1);
   PageMemory memory(ContactSolver::bytes_per_cell * grid.size());
+  memory.touch(ContactSolver::least_bytes_per_cell * grid.size(), workers);
   std::vector<Level> levels = make_levels(grid, surface, gap, least, {workers, memory});
   if (start != nullptr) levels.erase(levels.begin(), levels.end() - 2);
   const Level& last = levels.back();

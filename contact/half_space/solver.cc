@@ -30,7 +30,7 @@ ContactSolver::ContactSolver(const Grid& grid, Surface surface, std::span<const 
     : grid_(grid),
       surface_(surface),
       gap_(gap),
-      least_gap_(*std::ranges::min_element(gap)),
+      least_gap_(kernels::least(gap.size(), gap.data())),
       workers_(resources.workers),
       pieces_(grid.size(), workers_),
       product_(grid, surface, resources),

@@ -50,6 +50,8 @@ class ContactSolver {
  public:
   // Enough for the fields of one on a free surface, its gap and pressure, and those of all coarser grids.
   static constexpr std::size_t bytes_per_cell = 160;
+  // What is used of it in any case.
+  static constexpr std::size_t least_bytes_per_cell = 80;
 
   ContactSolver(const Grid& grid, Surface surface, std::span<const double> gap, Resources resources);
 

@@ -2,6 +2,9 @@
 #include <patchgrip/contact/half_space/vector_clones.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace patchgrip::contact::kernels {
 
@@ -95,6 +98,24 @@ PATCHGRIP_VECTOR_CLONES Tally cut(std::size_t n, double* __restrict p) noexcept 
     sum += p[i];
   }
   return {{negative, sum}};
+}
+
+PATCHGRIP_VECTOR_CLONES double least(std::size_t n, const double* __restrict x) noexcept {
+  constexpr std::size_t lanes = 32;
+  std::array<double, lanes> least;
+  least.fill(std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i + lanes <= n; i += lanes) {
+    for (std::size_t k = 0; k < lanes; ++k) least[k] = x[i + k] < least[k] ? x[i + k] : least[k];
+  }
+  for (std::size_t i = n - n % lanes; i < n; ++i) least[0] = std::min(least[0], x[i]);
+  return *std::ranges::min_element(least);
+}
+
+PATCHGRIP_VECTOR_CLONES bool within(std::size_t n, double most, const double* __restrict x) noexcept {
+  double outside = 0;
+#pragma omp simd reduction(+ : outside)
+  for (std::size_t i = 0; i < n; ++i) outside += std::abs(x[i]) <= most ? 0 : 1;
+  return outside == 0;
 }
 
 PATCHGRIP_VECTOR_CLONES Tally sum(std::size_t n, const double* __restrict p) noexcept {

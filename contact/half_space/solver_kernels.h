@@ -31,6 +31,12 @@ Tally advance(std::size_t n, double length, double shift, const double* d, const
 // p = max(p, 0). Sums: cells with p < 0; of p afterwards.
 Tally cut(std::size_t n, double* p) noexcept;
 
+// The least of x, infinity if there is none.
+double least(std::size_t n, const double* x) noexcept;
+
+// Whether all |x| <= most.
+bool within(std::size_t n, double most, const double* x) noexcept;
+
 // Sum: p.
 Tally sum(std::size_t n, const double* p) noexcept;
 

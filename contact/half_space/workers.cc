@@ -4,8 +4,9 @@
 namespace patchgrip::contact {
 namespace {
 
-// Between two loops of a solution there are microseconds; waking a sleeping thread costs tens of them.
-constexpr int looks_before_sleep = 4000;
+// Between two loops of a solution there are a few microseconds, and a hundred where transforms are planned; to wake a
+// sleeping thread may take as long. Who waits soon lets others run.
+constexpr int looks_before_yield = 500, looks_before_sleep = 1000;
 
 void rest() noexcept {
 #if defined(__x86_64__)
@@ -17,15 +18,18 @@ template <class Changed>
 bool changes_soon(const Changed& changed) noexcept {
   for (int i = 0; i < looks_before_sleep; ++i) {
     if (changed()) return true;
-    rest();
+    if (i < looks_before_yield) {
+      rest();
+    } else {
+      std::this_thread::yield();
+    }
   }
   return false;
 }
 
 }  // namespace
 
-Workers::Workers(int threads)
-    : shares_(static_cast<std::size_t>(static_cast<int>(require_in("threads", threads, 1, most_threads)))) {
+Workers::Workers(int threads) : shares_(static_cast<std::size_t>(require_in("threads", threads, 1, most_threads))) {
   threads_.reserve(static_cast<std::size_t>(threads - 1));
   try {
     for (int thread = 1; thread < threads; ++thread) threads_.emplace_back(&Workers::serve, this, thread);
@@ -60,20 +64,24 @@ void Workers::share(int parts, Call call, const void* part) {
   for (std::uint32_t undone = undone_; undone != 0; undone = undone_) undone_.wait(undone);
 }
 
-// A thread takes its own share, then what the others have left of theirs.
+// A thread takes its own share, then what the others have left of theirs, and says once what it has done: until then
+// the round stays open, and call, part and parts are those of the round.
 void Workers::take_parts(int thread) {
-  for (int k = 0; k < count(); ++k) take_share((thread + k) % count(), thread);
+  std::uint32_t done = 0;
+  for (int k = 0; k < count(); ++k) done += take_share((thread + k) % count(), thread);
+  if (done > 0 && (undone_ -= done) == 0) undone_.notify_one();
 }
 
-// Whoever draws a ticket keeps its round open until the part is done: call, part and parts are those of the round.
-void Workers::take_share(int share, int thread) {
+std::uint32_t Workers::take_share(int share, int thread) {
   std::atomic<std::uint64_t>& tickets = shares_[static_cast<std::size_t>(share)].tickets;
+  std::uint32_t done = 0;
   for (std::uint64_t ticket = tickets; static_cast<std::uint32_t>(ticket) != 0;) {
     if (!tickets.compare_exchange_weak(ticket, ticket - 1)) continue;
-    call_(part_, begin(share) + static_cast<int>(static_cast<std::uint32_t>(ticket) - 1), thread);
-    if (--undone_ == 0) undone_.notify_one();
+    call_(part_, begin(share + 1) - static_cast<int>(static_cast<std::uint32_t>(ticket)), thread);
+    ++done;
     ticket = tickets;
   }
+  return done;
 }
 
 void Workers::serve(int thread) {

@@ -1,8 +1,10 @@
 // Threads that share the parts of a loop.
 //
 // run() hands out the parts 0 ... parts - 1 to its threads, the calling one among them, and returns when all are done.
-// Which thread takes which part is left to chance, so a part must not care: results then do not depend on the number of
-// threads. A thread that the machine does not let run is not waited for. Nothing is allocated.
+// Each has a share of neighbouring parts, the same in all loops of as many parts: its cache has seen them, and what it
+// reads ahead is its own. It takes them in order, then what is left of other shares: a thread that the machine does not
+// let run is not waited for. Who takes a part is so left to chance, and it must not care: results then do not depend on
+// the number of threads. Nothing is allocated.
 //
 // Domain   1 <= threads <= 64; a part must not throw. run() is for one caller at a time.
 // Throws   std::invalid_argument outside the domain, std::system_error when a thread cannot be started.
@@ -57,7 +59,7 @@ class Workers {
 
   void share(int parts, Call call, const void* part);
   void take_parts(int thread);
-  void take_share(int share, int thread);
+  std::uint32_t take_share(int share, int thread);  // how many parts it took
   // The first part of a thread's share.
   int begin(int thread) const noexcept {
     return static_cast<int>(static_cast<std::int64_t>(parts_) * thread / count());
@@ -69,15 +71,16 @@ class Workers {
 
   alignas(line) Call call_ = nullptr;
   const void* part_ = nullptr;
+  int parts_ = 0;
   std::atomic<std::uint32_t> round_ = 0;  // a change wakes the threads
   std::atomic<bool> stopped_ = false;
-  int parts_ = 0;
   struct alignas(line) Share {
     // The round in the upper half, how many parts are left to take in the lower.
     std::atomic<std::uint64_t> tickets = 0;
   };
-  std::vector<Share> shares_;
+
   alignas(line) std::atomic<std::uint32_t> undone_ = 0;  // parts of this round
+  std::vector<Share> shares_;
   std::vector<std::thread> threads_;
 };
 

@@ -1,7 +1,12 @@
 #include <patchgrip/contact/half_space/page_memory.h>
 #include <patchgrip/contact/half_space/resources.h>
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <random>
@@ -86,6 +91,27 @@ TEST(Array, GivesItsMemoryBackOnce) {
   }
   EXPECT_EQ(Array<double>(1000, memory).data(), place);
 }
+
+#if defined(__linux__)
+// Of a block so large that the heap has not used it before.
+TEST(PageMemory, TouchesWhatItIsToldAndNoMore) {
+  constexpr std::size_t pages = 40;
+  for (const int threads : {1, 3}) {
+    for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, 3 * block, 3 * block + 1, 1000 * block}) {
+      PageMemory memory(pages * block);
+      Workers workers(threads);
+      memory.touch(bytes, workers);
+      auto* const begin = static_cast<std::byte*>(memory.allocate(1, line));
+      for (std::size_t k = 0; k < pages; ++k) {
+        unsigned char resident = 0;
+        ASSERT_EQ(mincore(begin + k * block, 1, &resident), 0);
+        EXPECT_EQ(resident & 1, k * block < bytes ? 1 : 0) << k << " of " << bytes;
+      }
+      memory.deallocate(begin, 1, line);
+    }
+  }
+}
+#endif
 
 }  // namespace
 }  // namespace patchgrip::contact

@@ -1,10 +1,14 @@
 #include <patchgrip/contact/half_space/pieces.h>
 #include <patchgrip/contact/half_space/workers.h>
 
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -36,6 +40,64 @@ TEST(Workers, NoTwoPartsShareAThreadAtOnce) {
     EXPECT_FALSE(busy[static_cast<std::size_t>(thread)].exchange(true));
     busy[static_cast<std::size_t>(thread)] = false;
   });
+}
+
+// Nobody goes on before all have begun.
+TEST(Workers, EachBeginsWithItsOwnShare) {
+  constexpr int threads = 3;
+  Workers workers(threads);
+  for (int round = 0; round < 50; ++round) {
+    std::array<int, threads> first{-1, -1, -1};
+    std::atomic<int> begun = 0;
+    workers.run(31, [&](int part, int thread) {
+      int& mine = first[static_cast<std::size_t>(thread)];
+      if (mine >= 0) return;
+      mine = part;
+      for (++begun; begun < threads;) std::this_thread::yield();
+    });
+    EXPECT_THAT(first, ::testing::ElementsAre(0, 10, 20));
+  }
+}
+
+TEST(Workers, TakeTheirShareInOrder) {
+  Workers workers(2);
+  for (int round = 0; round < 300; ++round) {
+    std::array<int, 2> own{-1, 99};  // the last part taken of the own share
+    workers.run(200, [&](int part, int thread) {
+      if (part / 100 != thread) return;
+      EXPECT_GT(part, std::exchange(own[static_cast<std::size_t>(thread)], part));
+    });
+  }
+}
+
+// The first part of a share ends last.
+TEST(Workers, WhatIsLeftOfAShareIsTakenByOthers) {
+  Workers workers(3);
+  for (const int held : {0, 10, 20}) {
+    std::atomic<int> others = 0;
+    workers.run(30, [&](int part, int) {
+      if (part != held) {
+        ++others;
+        return;
+      }
+      const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+      while (others < 29 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+      EXPECT_EQ(others, 29);
+    });
+  }
+}
+
+// After a pause the threads sleep.
+TEST(Workers, WakeUpAgain) {
+  Workers workers(3);
+  for (int round = 0; round < 5; ++round) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::atomic<int> begun = 0;
+    workers.run(3, [&](int, int) {
+      for (++begun; begun < 3;) std::this_thread::yield();
+    });
+    EXPECT_EQ(begun, 3);
+  }
 }
 
 TEST(Workers, TakeEveryRowOnce) {
