@@ -66,7 +66,13 @@ template <class P>
 requires requires(const P& patch, const Twist& u) { stribeck_excess(patch, u); }
 BoundedWrench stribeck_excess(const Placed<P>& placed, const Twist& u) noexcept {
   const Twist own = placed.local(u);
-  return placed.in_contact_frame(stribeck_excess(placed.patch(), own), own);
+  BoundedWrench g = stribeck_excess(placed.patch(), own);
+  // The integrand of E changes with u_P by at most 1 / |u_P|, as that of grad D does.
+  const double shift = placed.shift_at(own).force;
+  const PressureMoments s = placed.patch().moments();
+  g.force_error += shift;
+  g.moment_error += shift * (std::hypot(s.x, s.y) + 2 * std::sqrt(s.polar));
+  return placed.in_contact_frame(g);
 }
 
 template <class P>

@@ -4,9 +4,11 @@
 //     D(vx, vy, w) = D_patch(R^T (vx - w y, vy + w x), w),    R = [cos -sin; sin cos]
 //     force = R force_patch,    moment = m_patch + x fy - y fx
 //
-// The velocity at the patch's own origin is formed with one rounding per component (fused multiply-add), and a bound on
-// what even that and the turn do to force and moment is added: it is a pole moved by a few roundings, H dv with the
-// patch's own Hessian. Without a turn (angle = 0) nothing is computed for it, and at the origin nothing at all.
+// The velocity at the patch's own origin is rounded once: formed by a fused multiply-add and, where the patch is turned,
+// turned in extended precision; so is the wrench on its way back. What that one rounding does to force and moment is
+// H dv with the patch's own Hessian H, |dv| <= 2^-53 |v|, and is added to their bounds, twice because H changes on the
+// way. No length of the patch would do for H: it is as large as 1 / (width |w|) in the narrowest part of a zone. Without
+// a turn (angle = 0) nothing is computed for it.
 //
 // Units    x, y [m], angle [rad].
 // Error    carried; measured in tests/friction/placed_test.cc.
@@ -16,8 +18,9 @@
 //          not bounded: place such parts one by one (several.h).
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include <patchgrip/contact/require.h>
@@ -39,18 +42,22 @@ class Placed {
         x_(contact::require_finite("centre_x", frame.x)),
         y_(contact::require_finite("centre_y", frame.y)),
         angle_(contact::require_finite("angle", frame.angle)),
-        cos_(std::cos(angle_)),
-        sin_(std::sin(angle_)) {}
+        cos_(std::cos(static_cast<long double>(angle_))),
+        sin_(std::sin(static_cast<long double>(angle_))) {}
 
   Placed(P patch, double x, double y) : Placed(std::move(patch), PlanarFrame{x, y, 0}) {}
 
   double dissipation(const Twist& v) const noexcept { return patch_.dissipation(local(v)); }
 
-  Wrench gradient(const Twist& v) const noexcept { return moved(turned(patch_.gradient(local(v)))); }
+  Wrench gradient(const Twist& v) const noexcept { return moved(patch_.gradient(local(v))); }
 
   BoundedWrench bounded_gradient(const Twist& v) const noexcept {
     const Twist u = local(v);
-    return in_contact_frame(patch_.bounded_gradient(u), u);
+    BoundedWrench g = patch_.bounded_gradient(u);
+    const Shift shift = shift_at(u);
+    g.force_error += shift.force;
+    g.moment_error += shift.moment;
+    return in_contact_frame(g);
   }
 
   // With u = A v, A = [1 0 -y; 0 1 x; 0 0 1], the Hessian is A^T H A, H turned.
@@ -63,8 +70,8 @@ class Placed {
 
   PressureMoments moments() const noexcept {
     const PressureMoments s = patch_.moments();
-    const Wrench c = turned(Wrench{s.x, s.y, 0});
-    return {c.fx + x_, c.fy + y_, s.polar};
+    const auto [x, y] = turned(s.x, s.y);
+    return {static_cast<double>(x_ + x), static_cast<double>(y_ + y), s.polar};
   }
 
   double area_radius() const noexcept { return patch_.area_radius(); }
@@ -73,48 +80,80 @@ class Placed {
   double y() const noexcept { return y_; }
   double angle() const noexcept { return angle_; }
 
-  // The twist as the patch's own frame sees it.
+  // The twist as the patch's own frame sees it, its velocity rounded.
   Twist local(const Twist& v) const noexcept {
-    const double ux = std::fma(-v.w, y_, v.vx);
-    const double uy = std::fma(v.w, x_, v.vy);
-    if (!is_turned()) return {ux, uy, v.w};
-    return {cos_ * ux + sin_ * uy, cos_ * uy - sin_ * ux, v.w};
+    if (!is_turned()) return {std::fma(-v.w, y_, v.vx), std::fma(v.w, x_, v.vy), v.w};
+    const long double ux = product_and_sum(-v.w, y_, v.vx), uy = product_and_sum(v.w, x_, v.vy);
+    return {static_cast<double>(cos_ * ux + sin_ * uy), static_cast<double>(cos_ * uy - sin_ * ux), v.w};
   }
 
-  // What the patch answers to that twist u, as the contact frame sees it, with the rounding of u and of the way back.
-  BoundedWrench in_contact_frame(BoundedWrench g, const Twist& u) const noexcept {
-    constexpr double unit = 0x1p-53;
-    const double speed = std::hypot(u.vx, u.vy);
-    const double radius = patch_.area_radius();
-    const double lever = std::max(radius, std::sqrt(patch_.moments().polar));
-    const double slope = speed + radius * std::fabs(u.w);
-    // Moving v by a relative rounding moves force and moment by at most |H| |dv|, and H (|v| + a |w|) <= 16 but for a
-    // ring whose rim the pole meets closer than doubles tell. A turn takes four roundings more: cosine and sine,
-    // products, sum.
-    const double roundings = is_turned() ? 5 : 1;
-    const double shift = slope > 0 ? 16 * roundings * unit * speed / slope : 0;
-    const double force = std::hypot(g.value.fx, g.value.fy);
+  // By how much the rounding of u = local(v) can move the patch's force and moment. The first is the mean of 1 / |u_P|
+  // over the pressure times a length of velocity.
+  struct Shift {
+    double force = 0;   // [1]
+    double moment = 0;  // [m]
+  };
+  Shift shift_at(const Twist& u) const noexcept {
+    // A turn takes eight roundings of extended precision.
+    const double dv = (unit + (is_turned() ? 8 * fine_unit : 0)) * std::hypot(u.vx, u.vy);
+    if (!(dv > 0)) return {};
+    const Hessian h = hessian_beside(u);
+    return {2 * dv * (h.xx + h.yy), 2 * dv * std::hypot(h.xw, h.yw)};
+  }
+
+  // A wrench of the patch, bounded in its own frame, as the contact frame sees it, with the rounding of the way there.
+  BoundedWrench in_contact_frame(BoundedWrench g) const noexcept {
     const double arm = std::fabs(x_) + std::fabs(y_);
-    g.force_error += shift + (is_turned() ? 4 * unit * force : 0);
-    g.moment_error += shift * lever + arm * (g.force_error + 3 * unit * force);
-    g.value = moved(turned(g.value));
-    g.moment_error += 2 * unit * std::fabs(g.value.m);
+    g.moment_error += arm * g.force_error;
+    const double force = std::hypot(g.value.fx, g.value.fy);
+    if (is_turned()) g.force_error += (unit + 4 * fine_unit) * force;
+    g.value = moved(g.value);
+    if (arm > 0) g.moment_error += 8 * fine_unit * arm * force + unit * std::fabs(g.value.m);
     return g;
   }
 
  private:
+  static constexpr double unit = 0x1p-53;
+  static constexpr double fine_unit = static_cast<double>(std::numeric_limits<long double>::epsilon() / 2);
+
+  struct FineVector {
+    long double x, y;
+  };
+
   bool is_turned() const noexcept { return angle_ != 0; }
 
-  Wrench turned(const Wrench& g) const noexcept {
-    if (!is_turned()) return g;
-    return {cos_ * g.fx - sin_ * g.fy, sin_ * g.fx + cos_ * g.fy, g.m};
+  // a b + c, to two roundings of a long double however much it cancels.
+  static long double product_and_sum(double a, double b, double c) noexcept {
+    const double product = a * b;
+    return (static_cast<long double>(c) + product) + std::fma(a, b, -product);
   }
 
-  Wrench moved(const Wrench& g) const noexcept { return {g.fx, g.fy, g.m + (x_ * g.fy - y_ * g.fx)}; }
+  FineVector turned(double x, double y) const noexcept {
+    if (!is_turned()) return {x, y};
+    return {cos_ * x - sin_ * y, sin_ * x + cos_ * y};
+  }
+
+  Wrench moved(const Wrench& g) const noexcept {
+    const FineVector f = turned(g.fx, g.fy);
+    return {static_cast<double>(f.x), static_cast<double>(f.y), static_cast<double>(g.m + (x_ * f.y - y_ * f.x))};
+  }
+
+  // Where the Hessian is infinite (the pole on a ring or a line load), that next to it.
+  Hessian hessian_beside(const Twist& u) const noexcept {
+    const double aside = 0x1p-50 * std::hypot(u.vx, u.vy);
+    for (const Twist& v : {u, Twist{u.vx + 0.8 * aside, u.vy - 0.6 * aside, u.w}}) {
+      try {
+        return patch_.hessian(v);
+      } catch (const std::domain_error&) {
+      }
+    }
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {infinity, infinity, infinity, infinity, infinity, infinity};
+  }
 
   Hessian turned(const Hessian& h) const noexcept {
     if (!is_turned()) return h;
-    const double c = cos_, s = sin_;
+    const auto c = static_cast<double>(cos_), s = static_cast<double>(sin_);
     // R H and then (R H) R^T
     const double ax = c * h.xx - s * h.xy, ay = c * h.xy - s * h.yy;
     const double bx = s * h.xx + c * h.xy, by = s * h.xy + c * h.yy;
@@ -124,7 +163,7 @@ class Placed {
   P patch_;
   double x_, y_;  // [m]
   double angle_;  // [rad]
-  double cos_, sin_;
+  long double cos_, sin_;
 };
 
 }  // namespace patchgrip::friction

@@ -201,7 +201,7 @@ PlanarFrame draw_frame(Draw& draw, double reach) {
 }
 
 FramedPatch draw_turned_rectangle(Draw& draw) {
-  const double lx = draw.log_uniform(1e-3, 1e2), ly = lx * draw.log_uniform(0.1, 10);
+  const double lx = draw.log_uniform(1e-3, 1e2), ly = lx * draw.log_uniform(1e-2, 1e2);
   const auto reference = std::make_shared<PolygonReference>(
       std::vector<std::vector<Vertex>>{{{-lx / 2, -ly / 2}, {lx / 2, -ly / 2}, {lx / 2, ly / 2}, {-lx / 2, ly / 2}}});
   const double radius = std::hypot(lx, ly) / 2;
@@ -275,25 +275,35 @@ std::function<Case(Draw&)> ellipse_cases(Draw& draw, double least_aspect, double
   const double aspect = draw.log_uniform(least_aspect, largest_aspect);
   const double b = draw.coin() ? a * aspect : a / aspect;
   const double major = std::max(a, b), minor = std::min(a, b);
-  const double x = draw.uniform(-away, away) * major, y = draw.uniform(-away, away) * major;
-  const Placed patch(HertzEllipse::of_semi_axes(a, b), x, y);
+  const PlanarFrame frame = draw_frame(draw, away * major);
+  const Placed patch(HertzEllipse::of_semi_axes(a, b), frame);
   const EllipseReference reference(a, b);
+  const Gradient50 own = [reference](const auto& vx, const auto& vy, const auto& w) {
+    return reference.gradient(vx, vy, w);
+  };
+  const Gradient50 placed = in_frame(own, frame);
   const Real50 polar = (Real50(a) * a + Real50(b) * b) / 5;
   return [=](Draw& d) -> Case {
-    const auto [twist, far] = draw_twist(d, x, y, major, [&](Draw& s) -> std::optional<Pole> {
+    const auto on_patch = [&](Draw& s) -> Pole {
       const auto rim = on_rim(s, 1);
-      if (s.coin()) return Pole{x + a * rim->x, y + b * rim->y};
+      if (s.coin()) return {a * rim->x, b * rim->y};
       // Next to a long side: a slender ellipse has little else nearby.
       const double along = major * s.uniform(-1.1, 1.1), off = minor * s.log_uniform(0.01, 100) * (s.coin() ? 1 : -1);
-      return a > b ? Pole{x + along, y + off} : Pole{x + off, y + along};
-    });
+      return a > b ? Pole{along, off} : Pole{off, along};
+    };
     const DrawnLaw drawn = draw_law(d);
-    Wrench50 g = reference.gradient(twist.vx - Real50(twist.w) * y, twist.vy + Real50(twist.w) * x, twist.w);
-    g.m += x * g.fy - y * g.fx;
-    return {far,
-            away == 0 ? friction_wrench(drawn.law, drawn.normal_force, patch.patch(), twist)
-                      : friction_wrench(drawn.law, drawn.normal_force, patch, twist),
-            exact_friction(drawn, {x, y, polar}, g, twist)};
+    if (away == 0) {
+      const auto [twist, far] = draw_twist(d, 0, 0, major, on_patch);
+      return {far, friction_wrench(drawn.law, drawn.normal_force, patch.patch(), twist),
+              exact_friction(drawn, {0, 0, polar}, own(twist.vx, twist.vy, twist.w), twist)};
+    }
+    const auto [twist, far] = draw_twist(d, frame.x, frame.y, major, [&](Draw& s) -> Pole {
+      const Pole p = on_patch(s);
+      const double cosine = std::cos(frame.angle), sine = std::sin(frame.angle);
+      return {frame.x + cosine * p.x - sine * p.y, frame.y + sine * p.x + cosine * p.y};
+    });
+    return {far, friction_wrench(drawn.law, drawn.normal_force, patch, twist),
+            exact_friction(drawn, {frame.x, frame.y, polar}, placed(twist.vx, twist.vy, twist.w), twist)};
   };
 }
 
@@ -362,7 +372,7 @@ std::vector<Kind> kinds() {
   };
   ellipse("hertz_ellipse", 1 + 1e-6, 10, 0);
   ellipse("slender_hertz_ellipse", 10, 1e6, 0);
-  ellipse("placed_hertz_ellipse", 1 + 1e-6, 1e3, 20);
+  ellipse("placed_hertz_ellipse", 1 + 1e-6, 1e6, 20);
   result.push_back(
       {"rectangle", [](Draw& draw) {
          const double lx = draw.log_uniform(1e-6, 1e2);

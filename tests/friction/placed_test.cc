@@ -100,6 +100,25 @@ TEST(Placed, ATurnedPolygonIsWithinItsBounds) {
   }
 }
 
+// The velocity at its own origin, which is rounded, is a thousand times that of its points.
+TEST(Placed, APatchFarFromItsOwnOriginIsWithinItsBounds) {
+  const PowerFamily<Real50> family(1);
+  std::mt19937_64 engine(20060103);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < 200; ++i) {
+    const PlanarFrame inner{1000 * unit(engine), 1000 * unit(engine), 0};
+    const PlanarFrame outer{unit(engine), unit(engine), i % 2 == 0 ? 0 : unit(engine)};
+    const Placed patch(Placed(HertzDisc::of_radius(1), inner), outer);
+    const PressureMoments s = patch.moments();
+    const Twist v = twist_about({s.x + unit(engine), s.y + unit(engine)}, 1 + unit(engine) / 2);
+    const BoundedWrench g = patch.bounded_gradient(v);
+    const Wrench50 e = in_frame(in_frame(disc_gradient(family, 1), inner), outer)(v.vx, v.vy, v.w);
+    EXPECT_LE(static_cast<double>(hypot(g.value.fx - e.fx, g.value.fy - e.fy)), g.force_error);
+    EXPECT_LE(static_cast<double>(abs(g.value.m - e.m)), g.moment_error);
+    EXPECT_LE(g.force_error, 2e-12);
+  }
+}
+
 // (x, y) -> (-y, x): what was seen along x is seen along y.
 TEST(Placed, AQuarterTurnTurnsVelocityAndForce) {
   const Placed patch(Rectangle::of_sides(2, 1), PlanarFrame{0, 0, pi / 2});
