@@ -10,6 +10,7 @@
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/power_disc.h>
@@ -25,9 +26,10 @@
 
 namespace patchgrip::friction {
 
-using TestedPatch = std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc,
-                                 HertzEllipse, Rectangle, Polygon, PressureGrid, PressureMesh, Placed<HertzDisc>,
-                                 Placed<HertzEllipse>, Placed<Ring>, Placed<Polygon>, Placed<Rectangle>, Several>;
+using TestedPatch =
+    std::variant<HertzDisc, FlatPunchDisc, UniformDisc, Ring, PowerDisc, XydasKaoDisc, StampDisc, HertzEllipse,
+                 LineLoad, Rectangle, Polygon, PressureGrid, PressureMesh, Placed<HertzDisc>, Placed<HertzEllipse>,
+                 Placed<LineLoad>, Placed<Ring>, Placed<Polygon>, Placed<Rectangle>, Several>;
 
 struct NamedPatch {
   std::string name;
@@ -45,6 +47,9 @@ struct NamedPatch {
   double area_radius() const {
     return std::visit([](const auto& p) { return p.area_radius(); }, patch);
   }
+  // The radius of gyration of what has no area.
+  double size() const { return area_radius() > 0 ? area_radius() : std::sqrt(moments().polar); }
+  bool is_line() const { return area_radius() == 0; }
   double dissipation(const Twist& v) const {
     return std::visit([&](const auto& p) { return p.dissipation(v); }, patch);
   }
@@ -101,6 +106,7 @@ inline const std::vector<NamedPatch>& every_patch() {
     ellipse("HertzEllipse", 0.02, 0.03);
     ellipse("HertzEllipseAlmostRound", 1, 1.0001);
     ellipse("HertzEllipseSlender", 0.5, 0.0004);
+    all.push_back({"LineLoad", LineLoad::of_length(0.3), {{-0.15, 0}, {-0.05, 0}, {0, 0}, {0.15, 0}}});
     all.push_back({"Rectangle", Rectangle::of_sides(0.3, 0.05), corners_and_sides(box(-0.15, -0.025, 0.15, 0.025))});
     for (const Shape& shape : {triangle, l_shape, frame, comb, slender_100}) {
       all.push_back({shape.name, shape.patch(), corners_and_sides(shape.outer)});
@@ -116,6 +122,9 @@ inline const std::vector<NamedPatch>& every_patch() {
     all.push_back({"PlacedRing", Placed(Ring::of_radius(0.5), -0.25, 1), rim(0.5, -0.25, 1)});
     all.push_back({"PlacedPolygon", Placed(l_shape.patch(), 0.5, 2), corners_and_sides(l_shape.outer, 0.5, 2)});
     const Placed turned_rectangle(Rectangle::of_sides(0.3, 0.05), PlanarFrame{-1, 0.4, 0.7});
+    const PointRing ends = moved(turned({{-1, 0}, {1, 0}}, 0.7), 0.5, -0.25);
+    all.push_back(
+        {"TurnedLineLoad", Placed(LineLoad::of_length(2), PlanarFrame{0.5, -0.25, 0.7}), corners_and_sides(ends)});
     const auto sides = moved(turned(box(-0.15, -0.025, 0.15, 0.025), 0.7), -1, 0.4);
     all.push_back({"TurnedRectangle", turned_rectangle, corners_and_sides(sides)});
     all.push_back({"Several",

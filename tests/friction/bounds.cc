@@ -21,6 +21,7 @@
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/law.h>
+#include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/polygon.h>
@@ -34,6 +35,7 @@
 
 #include "ellipse_reference.h"
 #include "frame_reference.h"
+#include "line_reference.h"
 #include "polygon_reference.h"
 #include "stack_reference.h"
 
@@ -234,6 +236,32 @@ FramedPatch draw_framed_point(Draw& draw) {
   return {Placed(PointLoad{}, frame), in_frame(point_gradient, frame), frame.x, frame.y, 10, {frame.x, frame.y, 0}};
 }
 
+// Poles are drawn close to the line and to its ends, too.
+Case line_case(Draw& draw, bool turned) {
+  const double L = draw.log_uniform(1e-6, 1e2);
+  const PlanarFrame frame = draw_frame(draw, turned ? 20 * L : 0);
+  const LineLoad line = LineLoad::of_length(L);
+  const Placed patch(line, frame);
+  const LineReference reference(L);
+  const Gradient50 own = [reference](const auto& vx, const auto& vy, const auto& w) {
+    return reference.gradient(vx, vy, w);
+  };
+  const auto [twist, far] = draw_twist(draw, frame.x, frame.y, L / 2, [&](Draw& d) -> Pole {
+    const double x = d.coin() ? d.uniform(-0.6, 0.6) * L : L / 2 + L * (d.coin() ? 1 : -1) * d.log_uniform(1e-16, 0.1);
+    const double y = L * (d.coin() ? 1 : -1) * d.log_uniform(turned ? 1e-12 : 1e-18, 0.1);
+    const double c = turned ? std::cos(frame.angle) : 1, s = turned ? std::sin(frame.angle) : 0;
+    return {frame.x + c * x - s * y, frame.y + s * x + c * y};
+  });
+  const DrawnLaw drawn = draw_law(draw);
+  const Real50 polar = Real50(L) * L / 12;
+  if (!turned) {
+    return {far, friction_wrench(drawn.law, drawn.normal_force, line, twist),
+            exact_friction(drawn, {0, 0, polar}, reference.gradient(twist), twist)};
+  }
+  return {far, friction_wrench(drawn.law, drawn.normal_force, patch, twist),
+          exact_friction(drawn, {frame.x, frame.y, polar}, in_frame(own, frame)(twist.vx, twist.vy, twist.w), twist)};
+}
+
 // Two to six unlike parts; poles are drawn about one of them. Its law is Coulomb, of one coefficient.
 FramedPatch draw_several(Draw& draw) {
   std::vector<Several::Part> parts;
@@ -356,6 +384,8 @@ std::vector<Kind> kinds() {
   result.push_back({"placed_ring", [line_load](Draw& draw) {
                       return placed_case(draw, Ring::of_radius(draw.log_uniform(1e-4, 1)), *line_load, 1);
                     }});
+  result.push_back({"line_load", [](Draw& draw) { return line_case(draw, false); }});
+  result.push_back({"turned_line_load", [](Draw& draw) { return line_case(draw, true); }});
   const auto framed_kind = [](const char* name, int uses, FramedPatch (*make)(Draw&)) -> Kind {
     return {name, reuse(uses, [make](Draw& draw) -> std::function<Case(Draw&)> {
               return [patch = make(draw)](Draw& d) { return framed_case(d, patch); };

@@ -32,7 +32,7 @@ inline rc::Gen<double> log_uniform(double lo, double hi) {
 
 inline rc::Gen<Twist> motion_of(const NamedPatch& patch) {
   return rc::gen::exec([&patch] {
-    const double a = patch.area_radius();
+    const double a = patch.size();
     const double angle = *uniform(-std::numbers::pi, std::numbers::pi);
     const double c = std::cos(angle), s = std::sin(angle);
     const double speed = (*rc::gen::inRange(0, 2) == 0 ? 1 : -1) * *log_uniform(1e-6, 1e6);

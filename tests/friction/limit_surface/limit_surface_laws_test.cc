@@ -44,7 +44,7 @@ Wrench operator*(double k, const Wrench& t) { return {k * t.fx, k * t.fy, k * t.
 RC_GTEST_PROP(LimitSurfaceLaws, BracketIsNarrow, ()) {
   for (const NamedPatch& p : every_patch()) {
     const Gauge g = gauge_of(p, *load_on(p));
-    RC_ASSERT(g.status == GaugeStatus::converged);
+    RC_ASSERT(g.status == GaugeStatus::converged || (p.is_line() && g.status == GaugeStatus::ridge));
     RC_ASSERT(g.lower <= g.value && g.value <= g.upper);
     RC_ASSERT(g.upper - g.lower <= 2e-12 * g.value);
     RC_ASSERT(g.evaluations <= 15);
@@ -126,7 +126,7 @@ RC_GTEST_PROP(LimitSurfaceLaws, ForceNeedsLeastThroughTheCentroid, ()) {
 
 RC_GTEST_PROP(LimitSurfaceLaws, MovesWithThePatch, ()) {
   for (const NamedPatch& p : every_patch()) {
-    const double x = *uniform(-1, 1) * p.area_radius(), y = *uniform(-1, 1) * p.area_radius();
+    const double x = *uniform(-1, 1) * p.size(), y = *uniform(-1, 1) * p.size();
     const Wrench t = *load_on(p);
     const Gauge g = gauge_of(p, t);
     const Wrench moved{t.fx, t.fy, t.m + (x * t.fy - y * t.fx)};
