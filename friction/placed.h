@@ -103,7 +103,7 @@ class Placed {
 
   // A wrench of the patch, bounded in its own frame, as the contact frame sees it, with the rounding of the way there.
   BoundedWrench in_contact_frame(BoundedWrench g) const noexcept {
-    const double arm = std::fabs(x_) + std::fabs(y_);
+    const double arm = std::hypot(x_, y_);
     g.moment_error += arm * g.force_error;
     const double force = std::hypot(g.value.fx, g.value.fy);
     if (is_turned()) g.force_error += (unit + 4 * fine_unit) * force;

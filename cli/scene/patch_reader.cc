@@ -13,6 +13,7 @@
 #include <patchgrip/cli/scene/outline_reader.h>
 #include <patchgrip/contact/triangle_mesh.h>
 #include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/sampled/pressure_grid.h>
 #include <patchgrip/friction/sampled/pressure_mesh.h>
@@ -80,6 +81,11 @@ DescribedPatch read_hertz_ellipse(const TomlReader& table) {
           fmt::format("Hertz ellipse, semi-axes {} m along x and {} m along y", along_x, along_y)};
 }
 
+DescribedPatch read_line_load(const TomlReader& table) {
+  const double length = table.number("length", positive("a length in m"));
+  return {AnyPatch(friction::LineLoad::of_length(length)), fmt::format("line load along x, length {} m", length)};
+}
+
 DescribedPatch read_point_load(const TomlReader&) { return {AnyPatch(friction::PointLoad{}), "point load"}; }
 
 DescribedPatch read_pressure_grid(const TomlReader& table) {
@@ -132,6 +138,7 @@ const std::vector<Kind>& kinds() {
       {"polygon", {"vertices", "holes"}, read_polygon},
       {"pressure_grid", {"pressures", "cell", "centre"}, read_pressure_grid},
       {"pressure_mesh", {"mesh", "unit", "centre"}, read_pressure_mesh},
+      {"line", {"length", "centre"}, read_line_load},
       {"point", {"centre"}, read_point_load},
   };
   return all;

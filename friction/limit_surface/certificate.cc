@@ -21,7 +21,7 @@ Bracket certify(const PressureFrame& frame, const Wrench& load, const Twist& v, 
   const double k = std::max(0.0, tv / D);
   const Wrench r{load.fx - k * g.fx, load.fy - k * g.fy, load.m - k * g.m};
   const double r_moment = r.m - (frame.x * r.fy - frame.y * r.fx);
-  const double arm = std::fabs(frame.x) + std::fabs(frame.y);
+  const double arm = std::hypot(frame.x, frame.y);
   const double force_error = k * bounded.force_error + 2 * unit * (force_size(load) + 2 * k * force_size(g));
   const double moment_error = k * bounded.moment_error + 2 * unit * (std::fabs(load.m) + 2 * k * std::fabs(g.m)) +
                               arm * (force_error + 4 * unit * force_size(r));

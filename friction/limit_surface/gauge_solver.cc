@@ -75,7 +75,8 @@ class Maximiser {
     const double along = std::max((t_[0] * t_[0] * xx + 2 * t_[0] * t_[1] * xy + t_[1] * t_[1] * yy) / F2, 1e-12);
     const double across = 3 * (xx + yy - along);
     const double M = std::fabs(t_[2]);
-    const double k = along + across * M / (M + std::sqrt(M * M + across * F2));
+    // None for a force along a line load.
+    const double k = along + (across > 0 ? across * M / (M + std::sqrt(M * M + across * F2)) : 0);
     return {k * t_[0], k * t_[1], t_[2]};
   }
 

@@ -183,6 +183,8 @@ TEST(LineLoad, CornersAreTold) {
   EXPECT_EQ(g.status, GaugeStatus::ridge);
   EXPECT_NEAR(g.value, 2, 1e-15);
   EXPECT_EQ(surface.gauge({0.3, 1, 0.1}).status, GaugeStatus::converged);
+  EXPECT_EQ(surface.gauge({1, 0, 0}).status, GaugeStatus::converged);
+  EXPECT_EQ(surface.gauge({1, 0, 0}).value, 1);
   // A pure moment is held by as much as turns the line about its centre.
   EXPECT_NEAR(surface.gauge({0, 0, 1}).value, 2, 1e-12);
   // The section fy, m with the pole on the line: m = (L / 4)(1 - fy^2).
