@@ -55,6 +55,7 @@ class Maximiser {
       if (now.bracket.gap < best_.bracket.gap) best_ = now;
     }
     if (narrow(best_.bracket)) {
+      if (!as_asked(best_.bracket) && evaluations_ < last) polish(now);
       if (frame_.is_line()) newton_step(best_);
       return result(ridge_ ? GaugeStatus::ridge : GaugeStatus::converged);
     }
@@ -94,10 +95,18 @@ class Maximiser {
     return i;
   }
 
+  bool as_asked(const Bracket& b) const noexcept { return b.upper - b.lower <= settings_.relative_gap * b.lower; }
+
   bool narrow(const Bracket& b) const noexcept {
-    const double width = b.upper - b.lower;
-    return width <= settings_.relative_gap * b.lower ||
-           (b.gap <= b.rounding && width <= std::sqrt(settings_.relative_gap) * b.lower);
+    return as_asked(b) || (b.gap <= b.rounding && b.upper - b.lower <= std::sqrt(settings_.relative_gap) * b.lower);
+  }
+
+  // One step more leaves of the bracket what the patch's own bounds are wide.
+  void polish(Iterate& now) noexcept {
+    const std::optional<Vector> step = newton_step(now);
+    if (!step) return;
+    const Iterate next = along(now, *step);
+    if (next.bracket.upper - next.bracket.lower < best_.bracket.upper - best_.bracket.lower) best_ = next;
   }
 
   // Where the Hessian is infinite (the pole on a line load) it is taken with the pole a little aside.
