@@ -100,6 +100,16 @@ TEST(Limit, VerdictsFollowTheBracket) {
   EXPECT_EQ(answer_of(with(edge, "[5, 0]", "[4.999999999, 0]")).verdict, Verdict::holds);
 }
 
+// With the pole on a line of length L, m = (L / 4)(1 - f^2) per unit mu F_N (friction/line_load.h).
+TEST(Limit, ALineHoldsAPushAcrossItAndAMoment) {
+  const std::string line = with(with(good_limit, "hertz_disc", "line"), "radius = 0.005", "length = 0.02");
+  const LoadAnswer answer = answer_of(with(with(line, "[3, 0.5]", "[0, 3]"), "0.002", "0.016"));
+  EXPECT_NEAR(answer.gauge.value, 5, answer.gauge_error + 8e-15);
+  const LoadAnswer across = answer_of(with(with(line, "[3, 0.5]", "[0, 3]"), "0.002", "0"));
+  EXPECT_EQ(across.gauge.status, friction::GaugeStatus::ridge);
+  EXPECT_NEAR(across.gauge.value, 3, across.gauge_error + 4e-15);
+}
+
 TEST(Limit, StaticFrictionCounts) {
   const std::string stribeck = "mu_static = 0.6\nmu_kinetic = 0.1\nstribeck_velocity = 0.05";
   EXPECT_EQ(answer_of(with(good_limit, "mu = 0.5", stribeck)).verdict, Verdict::holds);

@@ -169,6 +169,17 @@ TEST_F(Tabulate, OffCentreThePoleMovesWithThePatch) {
   EXPECT_NEAR(b.m, a.m + 3 * b.fy + 2 * b.fx, rounding);
 }
 
+// f = 2 y / Q across the line, seen from a pole on it.
+TEST_F(Tabulate, ALineAboutAPointOfItself) {
+  const std::string line = with(with(test::good_disc, "hertz_disc", "line"), "radius = 0.005", "length = 0.02");
+  const Table table = table_of(scene_of(with(line, "[[0.001, 0.002], [0, 0]]", "[[0.004, 0], [0, 0]]")));
+  ASSERT_THAT(table.rows, SizeIs(2));
+  const Row& turning = table.rows[1];
+  EXPECT_NEAR(turning.fx, 0, turning.force_error);
+  EXPECT_NEAR(table.rows[0].fy / turning.m, -0.4 / 0.005, 1e-13);
+  EXPECT_NEAR(table.rows[0].m / turning.m, 1 - 0.4 * 0.4, 1e-15);
+}
+
 TEST_F(Tabulate, BothSpinsAreOppositeForARoundPatch) {
   const Table table = table_of(scene_of(test::good_disc + "spin = [1, -1]\n"));
   ASSERT_THAT(table.rows, SizeIs(4));
