@@ -16,6 +16,7 @@
 #include <iostream>
 #include <string>
 
+#include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/local_stribeck.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/version.h>

@@ -6,14 +6,17 @@
 // bit; a call costs one indirect call more.
 //
 // Units, domain, error   those of the patch held.
+// Local    stribeck_excess of a patch held that it does not take is not a number, with an infinite error.
 // Fails    what was moved from holds nothing and can only be assigned to.
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <memory>
 #include <utility>
 
 #include <patchgrip/friction/patch.h>
+#include <patchgrip/friction/stribeck_excess.h>
 
 namespace patchgrip::friction {
 
@@ -30,6 +33,10 @@ class AnyPatch {
   PressureMoments moments() const noexcept { return held_->moments(); }
   double area_radius() const noexcept { return held_->area_radius(); }
 
+  friend BoundedWrench stribeck_excess(const AnyPatch& patch, const Twist& u) noexcept {
+    return patch.held_->excess(u);
+  }
+
  private:
   struct Concept {
     virtual ~Concept() = default;
@@ -39,6 +46,7 @@ class AnyPatch {
     virtual Hessian hessian(const Twist&) const = 0;
     virtual PressureMoments moments() const noexcept = 0;
     virtual double area_radius() const noexcept = 0;
+    virtual BoundedWrench excess(const Twist&) const noexcept = 0;
   };
 
   template <class P>
@@ -50,6 +58,14 @@ class AnyPatch {
     Hessian hessian(const Twist& v) const override { return patch.hessian(v); }
     PressureMoments moments() const noexcept override { return patch.moments(); }
     double area_radius() const noexcept override { return patch.area_radius(); }
+    BoundedWrench excess(const Twist& u) const noexcept override {
+      if constexpr (LocalPatch<P>) {
+        return stribeck_excess(patch, u);
+      } else {
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN(), none = std::numeric_limits<double>::infinity();
+        return {{nan, nan, nan}, none, none};
+      }
+    }
     P patch;
   };
 

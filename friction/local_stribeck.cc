@@ -7,9 +7,18 @@
 
 #include <boost/math/special_functions/beta.hpp>
 
+#include <patchgrip/friction/flat_punch_disc.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/kernels/edge_sum.h>
 #include <patchgrip/friction/kernels/stribeck_wave.h>
 #include <patchgrip/friction/kernels/vector_quadrature.h>
+#include <patchgrip/friction/point_load.h>
+#include <patchgrip/friction/polygon.h>
+#include <patchgrip/friction/power_disc.h>
+#include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/seed_hertz_disc.h>
+#include <patchgrip/friction/uniform_disc.h>
 
 namespace patchgrip::friction {
 namespace {
@@ -92,34 +101,78 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
   const auto [a, b, n] = zone;
   if (u.w == 0) return of_translation(u, 0, 0);
   const Projection q(n);
-  // n = N (cos theta / b, sin theta / a): then W = N, and u . n = N X cos(theta - theta_0) as on a disc.
-  const double X = std::hypot(u.vx / b, u.vy / a), theta_0 = std::atan2(u.vy / a, u.vx / b), w = std::fabs(u.w);
-  const bool round = a == b;
-  const double length = std::max(a, b);
-  const auto at = [&](double theta, double) -> Parts {
-    Parts sum{};
-    BoundedIntegrals<3> wave;
-    for (const double side : {1.0, -1.0}) {
-      const double nx = std::cos(theta_0 + side * theta) / b, ny = std::sin(theta_0 + side * theta) / a;
-      const double N = 1 / std::hypot(nx, ny);
-      if (side > 0 || !round) wave = across(q, N * X * std::max(std::cos(theta), 0.0), N * w);
-      const double dphi = N * N / (a * b);
-      sum[0] += dphi * N * nx * wave.value[0];
-      sum[1] += dphi * N * ny * wave.value[0];
-      sum[2] += dphi * N / length * wave.value[1];
-      sum[3] += dphi * (wave.error[0] + 4 * unit * wave.value[2]);
-      sum[4] += dphi * N / length * (wave.error[1] + 4 * unit * wave.value[2]);
-    }
-    return sum;
+  const double w = std::fabs(u.w), length = std::max(a, b);
+  const double speed = std::hypot(u.vx, u.vy), ex = speed > 0 ? u.vx / speed : 1, ey = speed > 0 ? u.vy / speed : 0;
+  // n at the angle phi from u.
+  const auto at = [&](double phi) -> Parts {
+    const double c = std::max(std::cos(phi), 0.0), s = std::sin(phi);
+    const double nx = c * ex - s * ey, ny = c * ey + s * ex, W = std::hypot(b * nx, a * ny);
+    const auto wave = across(q, speed * c, w * W);
+    const double rounding = 4 * unit * wave.value[2];
+    return {nx * wave.value[0], ny * wave.value[0], W / length * wave.value[1], wave.error[0] + rounding,
+            W / length * (wave.error[1] + rounding)};
   };
-  // Where the line on which the wave jumps leaves the zone: nowhere if the pole is inside.
-  const double leaves = X > w ? std::atan2(std::sqrt((X - w) * (X + w)), w) : 0;
-  BoundedIntegrals<5> sum = integrate<5>(at, 0, leaves);
-  add(sum, integrate<5>([&](double theta, double to_hi) { return at(leaves + theta, to_hi); }, leaves, pi / 2));
-  BoundedWrench g = collected(sum, 1 / pi, length);
-  g.value.m = std::copysign(1.0, u.w) * g.value.m;
+  // Cuts where the wave's jump leaves the zone (nowhere if the pole is inside), between them, where it comes nearest to
+  // the rim, and across a long axis, where W turns.
+  std::array<double, 6> cuts{-pi / 2, pi / 2, pi / 2, pi / 2, pi / 2, pi / 2};
+  std::size_t count = 1;
+  const auto angle = [&](double x, double y) { return std::atan2(ex * y - ey * x, ex * x + ey * y); };
+  const double level = std::hypot(u.vx / b, u.vy / a), theta_0 = std::atan2(u.vy / a, u.vx / b);
+  const double leaves = level > w ? std::atan2(std::sqrt((level - w) * (level + w)), w) : 0;
+  const bool round = a == b;
+  for (const double theta : {-leaves, 0.0, leaves}) {
+    cuts[count++] = round ? theta : angle(std::cos(theta_0 + theta) / b, std::sin(theta_0 + theta) / a);
+  }
+  if (!round) {
+    const double turn = a > b ? angle(1, 0) : angle(0, 1);
+    cuts[count++] = turn > pi / 2 ? turn - pi : turn < -pi / 2 ? turn + pi : turn;
+  }
+  std::sort(cuts.begin(), cuts.begin() + count);
+  BoundedIntegrals<5> sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (round && cuts[i + 1] <= 0) continue;  // the same as beyond 0
+    add(sum,
+        integrate<5>([&, lo = cuts[i]](double from_lo, double) { return at(lo + from_lo); }, cuts[i], cuts[i + 1]));
+  }
+  BoundedWrench g = collected(sum, (round ? 2 : 1) / pi, length);
+  if (round) {
+    const double along = g.value.fx * ex + g.value.fy * ey;
+    g.value.fx = along * ex;
+    g.value.fy = along * ey;
+  }
+  g.value.m *= std::copysign(1.0, u.w);
   return g;
 }
+
+BoundedWrench stribeck_excess(const FlatPunchDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 0}, u);
+}
+
+BoundedWrench stribeck_excess(const HertzDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 1}, u);
+}
+
+BoundedWrench stribeck_excess(const HertzEllipse& ellipse, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{ellipse.a(), ellipse.b(), 1}, u);
+}
+
+BoundedWrench stribeck_excess(const PowerDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), disc.exponent()}, u);
+}
+
+BoundedWrench stribeck_excess(const Ring& ring, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{ring.radius(), ring.radius(), -0.5}, u);
+}
+
+BoundedWrench stribeck_excess(const SeedHertzDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 1}, u);
+}
+
+BoundedWrench stribeck_excess(const UniformDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 0.5}, u);
+}
+
+BoundedWrench stribeck_excess(const PointLoad&, const Twist& u) noexcept { return of_translation(u, 0, 0); }
 
 namespace {
 

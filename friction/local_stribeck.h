@@ -26,59 +26,10 @@
 
 #include <cmath>
 
-#include <patchgrip/friction/flat_punch_disc.h>
-#include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/law.h>
-#include <patchgrip/friction/placed.h>
-#include <patchgrip/friction/polygon.h>
-#include <patchgrip/friction/power_disc.h>
-#include <patchgrip/friction/ring.h>
-#include <patchgrip/friction/uniform_disc.h>
+#include <patchgrip/friction/stribeck_excess.h>
 
 namespace patchgrip::friction {
-
-// A pressure ~ (1 - x^2/a^2 - y^2/b^2)^(n - 1/2) on an ellipse, n >= -1/2 (seed 4.13).
-struct PowerEllipse {
-  double a, b;  // semi-axes along x and y [m]
-  double n;     // [1]
-};
-
-// E at u = v / v_S. A patch can be integrated locally if this function takes it.
-BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept;
-BoundedWrench stribeck_excess(const Polygon& polygon, const Twist& u) noexcept;
-
-inline BoundedWrench stribeck_excess(const HertzDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 1}, u);
-}
-inline BoundedWrench stribeck_excess(const FlatPunchDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 0}, u);
-}
-inline BoundedWrench stribeck_excess(const UniformDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 0.5}, u);
-}
-inline BoundedWrench stribeck_excess(const Ring& ring, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{ring.radius(), ring.radius(), -0.5}, u);
-}
-inline BoundedWrench stribeck_excess(const PowerDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), disc.exponent()}, u);
-}
-template <class P>
-requires requires(const P& patch, const Twist& u) { stribeck_excess(patch, u); }
-BoundedWrench stribeck_excess(const Placed<P>& placed, const Twist& u) noexcept {
-  const Twist own = placed.local(u);
-  BoundedWrench g = stribeck_excess(placed.patch(), own);
-  // The integrand of E changes with u_P by at most 1 / |u_P|, as that of grad D does.
-  const double shift = placed.shift_at(own).force;
-  const PressureMoments s = placed.patch().moments();
-  g.force_error += shift;
-  g.moment_error += shift * (std::hypot(s.x, s.y) + 2 * std::sqrt(s.polar));
-  return placed.in_contact_frame(g);
-}
-
-template <class P>
-concept LocalPatch = Patch<P> && requires(const P& patch, const Twist& u) {
-  stribeck_excess(patch, u);
-};
 
 // t_k - (mu_s - mu_k) F_N E, with the error of u = v / v_S, rounded.
 BoundedWrench with_stribeck_excess(const BoundedWrench& kinetic, double excess_force, const BoundedWrench& excess,

@@ -25,6 +25,7 @@
 
 #include <patchgrip/contact/require.h>
 #include <patchgrip/friction/patch.h>
+#include <patchgrip/friction/stribeck_excess.h>
 
 namespace patchgrip::friction {
 
@@ -165,5 +166,18 @@ class Placed {
   double angle_;  // [rad]
   long double cos_, sin_;
 };
+
+template <class P>
+requires requires(const P& patch, const Twist& u) { stribeck_excess(patch, u); }
+BoundedWrench stribeck_excess(const Placed<P>& placed, const Twist& u) noexcept {
+  const Twist own = placed.local(u);
+  BoundedWrench g = stribeck_excess(placed.patch(), own);
+  // The integrand of E changes with u_P by at most 1 / |u_P|, as that of grad D does.
+  const double shift = placed.shift_at(own).force;
+  const PressureMoments s = placed.patch().moments();
+  g.force_error += shift;
+  g.moment_error += shift * (std::hypot(s.x, s.y) + 2 * std::sqrt(s.polar));
+  return placed.in_contact_frame(g);
+}
 
 }  // namespace patchgrip::friction

@@ -93,10 +93,11 @@ Wrench Several::gradient(const Twist& v) const noexcept {
   return sum;
 }
 
-BoundedWrench Several::bounded_gradient(const Twist& v) const noexcept {
+template <class F>
+BoundedWrench Several::sum_of(const F& wrench_of) const noexcept {
   BoundedWrench sum;
   for (const auto& [patch, weight] : data_->terms) {
-    const BoundedWrench g = patch.bounded_gradient(v);
+    const BoundedWrench g = wrench_of(patch);
     sum.value.fx += weight * g.value.fx;
     sum.value.fy += weight * g.value.fy;
     sum.value.m += weight * g.value.m;
@@ -106,6 +107,14 @@ BoundedWrench Several::bounded_gradient(const Twist& v) const noexcept {
     sum.moment_error += weight * (g.moment_error + 2 * unit * std::fabs(g.value.m)) + unit * std::fabs(sum.value.m);
   }
   return sum;
+}
+
+BoundedWrench Several::bounded_gradient(const Twist& v) const noexcept {
+  return sum_of([&](const AnyPatch& patch) { return patch.bounded_gradient(v); });
+}
+
+BoundedWrench stribeck_excess(const Several& several, const Twist& u) noexcept {
+  return several.sum_of([&](const AnyPatch& patch) { return stribeck_excess(patch, u); });
 }
 
 Hessian Several::hessian(const Twist& v) const {

@@ -51,8 +51,12 @@ class Several {
   PressureMoments pressure_moments() const noexcept;  // of p
   const std::vector<Part>& parts() const noexcept;
 
+  friend BoundedWrench stribeck_excess(const Several& several, const Twist& u) noexcept;
+
  private:
   struct Data;
+  template <class F>
+  BoundedWrench sum_of(const F& wrench_of) const noexcept;
   explicit Several(std::shared_ptr<const Data> data) noexcept : data_(std::move(data)) {}
 
   std::shared_ptr<const Data> data_;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <patchgrip/cli/accuracy/sections.h>
+#include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/law.h>
 #include <patchgrip/friction/local_stribeck.h>
 

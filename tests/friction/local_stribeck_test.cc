@@ -8,7 +8,16 @@
 #include <gtest/gtest.h>
 
 #include <patchgrip/friction/any_patch.h>
+#include <patchgrip/friction/flat_punch_disc.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/placed.h>
+#include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/rectangle.h>
+#include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/several.h>
+#include <patchgrip/friction/uniform_disc.h>
+#include <patchgrip/friction/xydas_kao_disc.h>
 #include <patchgrip/tests/friction/local_reference.h>
 #include <patchgrip/tests/friction/shapes.h>
 #include <patchgrip/tests/support/cases.h>
@@ -66,6 +75,22 @@ TEST(LocalStribeck, OfAUniformEllipseIsWithinItsError) {
     const Twist u = random_twist(engine, a, b);
     expect_within_error(stribeck_excess(PowerEllipse{a, b, 0.5}, u), uniform_ellipse_excess(a, b, u), std::max(a, b),
                         1e-14);
+  }
+}
+
+// Down to needles: slow against v_S it is grad D, which is known to some units.
+TEST(LocalStribeck, OfASlowSlenderEllipseIsTheGradient) {
+  std::mt19937_64 engine(20060307);
+  for (int i = cases(10); i > 0; --i) {
+    const double aspect = log_uniform(engine, 10, 1e6), a = i % 2 ? 1 : 1 / aspect, b = i % 2 ? 1 / aspect : 1;
+    const HertzEllipse patch = HertzEllipse::of_semi_axes(a, b);
+    const Twist v = random_twist(engine, a, b), u{1e-10 * v.vx, 1e-10 * v.vy, 1e-10 * v.w};
+    const BoundedWrench found = stribeck_excess(patch, u), exact = patch.bounded_gradient(u);
+    const double speed2 = 1e-20 * std::pow(std::hypot(v.vx, v.vy) + std::fabs(v.w), 2);
+    expect_near(found.value, exact.value, found.force_error + exact.force_error + speed2,
+                found.moment_error + exact.moment_error + speed2);
+    EXPECT_LE(found.force_error, 1e-12);
+    EXPECT_LE(found.moment_error, 1e-12);
   }
 }
 
@@ -189,11 +214,66 @@ TEST(LocalStribeck, AtRestThereIsNoFriction) {
   EXPECT_TRUE(t.fx == 0 && t.fy == 0 && t.m == 0);
 }
 
+TEST(LocalStribeck, OfARoundEllipseIsThatOfTheDisc) {
+  std::mt19937_64 engine(20060305);
+  for (int i = cases(10); i > 0; --i) {
+    const double a = log_uniform(engine, 1e-3, 10);
+    const Twist u = random_twist(engine, a, a);
+    const BoundedWrench disc = stribeck_excess(HertzDisc::of_radius(a), u);
+    const BoundedWrench next = stribeck_excess(HertzEllipse::of_semi_axes(a, a * (1 + 1e-15)), u);
+    expect_near(stribeck_excess(HertzEllipse::of_semi_axes(a, a), u).value, disc.value, 0, 0);
+    expect_near(next.value, disc.value, next.force_error + disc.force_error + 1e-14,
+                next.moment_error + disc.moment_error + 1e-14 * a);
+  }
+}
+
+// Each part by its F_i and mu_i, behind one type, moved and turned; a point load bears no moment about itself.
+TEST(LocalStribeck, OfSeveralIsTheSumOfTheParts) {
+  std::mt19937_64 engine(20060306);
+  for (int i = cases(5); i > 0; --i) {
+    const Placed<HertzEllipse> ellipse(HertzEllipse::of_semi_axes(0.5, 0.2), {0.3, -0.2, uniform(engine, -4, 4)});
+    const Placed<PointLoad> point(PointLoad{}, -1, 0.5);
+    const Placed<Rectangle> block(Rectangle::of_sides(1, 0.3), {-0.2, 0.7, 0.4});
+    const double F[] = {uniform(engine, 1, 5), uniform(engine, 1, 5), uniform(engine, 1, 5)};
+    const double mu[] = {uniform(engine, 0, 1), uniform(engine, 0, 1), uniform(engine, 0.1, 1)};
+    const Several several = Several::of_parts({{ellipse, F[0], mu[0]}, {point, F[1], mu[1]}, {block, F[2], mu[2]}});
+    const Law one = Law::stribeck(1.8, 1, 0.3);
+    const Twist v = random_twist(engine, 1, 1);
+    const auto bears = [&](int k, const auto& patch) { return local_friction_wrench(one, mu[k] * F[k], patch, v); };
+    const BoundedWrench parts[] = {bears(0, ellipse), bears(1, point), bears(2, block)};
+    BoundedWrench sum;
+    for (const auto& [t, force_error, moment_error] : parts) {
+      sum.value = {sum.value.fx + t.fx, sum.value.fy + t.fy, sum.value.m + t.m};
+      sum.force_error += force_error;
+      sum.moment_error += moment_error;
+    }
+    const BoundedWrench whole = local_friction_wrench(one, several.resistance(), AnyPatch(several), v);
+    expect_near(whole.value, sum.value, sum.force_error + whole.force_error, sum.moment_error + whole.moment_error);
+    EXPECT_LE(whole.force_error, 1e-12 * several.resistance());
+  }
+}
+
+TEST(LocalStribeck, OfAPointIsThatOfItsSpeed) {
+  const Twist v{0.3, -0.4, 7};
+  const Wrench t = local_friction_wrench(stribeck, 10, PointLoad{}, v).value;
+  const double mu = 0.5 + 0.4 * std::exp(-0.25 / 0.09);
+  expect_near(t, {-10 * mu * 0.6, 10 * mu * 0.8, 0}, 1e-14, 0);
+  const Wrench turning = local_friction_wrench(stribeck, 10, PointLoad{}, {0, 0, 7}).value;
+  expect_near(turning, {}, 0, 0);
+}
+
 TEST(LocalStribeck, IsForPatchesWhosePressureItKnows) {
   EXPECT_TRUE(LocalPatch<HertzDisc>);
   EXPECT_TRUE(LocalPatch<Placed<Placed<Rectangle>>>);
-  EXPECT_FALSE(LocalPatch<AnyPatch>);
-  EXPECT_FALSE(LocalPatch<Placed<AnyPatch>>);
+  EXPECT_TRUE(LocalPatch<HertzEllipse>);
+  EXPECT_TRUE(LocalPatch<PointLoad>);
+  EXPECT_TRUE(LocalPatch<Several>);
+  EXPECT_TRUE(LocalPatch<AnyPatch>);
+  EXPECT_TRUE(LocalPatch<Placed<AnyPatch>>);
+  EXPECT_FALSE(LocalPatch<XydasKaoDisc>);
+  const BoundedWrench none = stribeck_excess(AnyPatch(XydasKaoDisc::of_radius(1, 3)), {1, 2, 3});
+  EXPECT_TRUE(std::isnan(none.value.fx) && std::isnan(none.value.m));
+  EXPECT_TRUE(std::isinf(none.force_error) && std::isinf(none.moment_error));
 }
 
 }  // namespace
