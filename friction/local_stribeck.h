@@ -27,6 +27,7 @@
 #include <cmath>
 
 #include <patchgrip/friction/law.h>
+#include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/stribeck_excess.h>
 
 namespace patchgrip::friction {

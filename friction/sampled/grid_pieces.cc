@@ -122,6 +122,18 @@ void GridPieces::add(std::size_t k, double X, double Y, Derivatives derivatives,
   (derivatives == Derivatives::first ? gradient_ : hessian_)(block, X, Y, sums);
 }
 
+void GridPieces::add_excess(std::size_t k, const Twist& u, StribeckSums& sums) const noexcept {
+  const CellRange& r = leaves_[k].range;
+  for (std::size_t j = r.j0; j < r.j1; ++j) {
+    for (std::size_t i = r.i0; i < r.i1; ++i) {
+      const double p = pressures_[j * nx_ + i];
+      if (p == 0) continue;
+      const LoadedPiece cell{{x_[i], x_[i + 1], x_[i + 1], x_[i]}, {y_[j], y_[j], y_[j + 1], y_[j + 1]}, 4, p, 0, 0, p};
+      kernels::add_excess(cell, u, sums);
+    }
+  }
+}
+
 Roughness GridPieces::roughness(std::size_t k) const { return {0, leaves_[k].bends}; }
 
 void GridPieces::add_loads(std::size_t k, const Box& box, const LoadRule& rule, double* loads) const {

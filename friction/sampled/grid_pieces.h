@@ -26,6 +26,7 @@ class GridPieces : public Pieces {
   std::vector<PressureNode> make_tree(std::size_t columns, std::size_t rows);
 
   void add(std::size_t leaf, double X, double Y, Derivatives derivatives, DistanceSums& sums) const noexcept override;
+  void add_excess(std::size_t leaf, const Twist& u, StribeckSums& sums) const noexcept override;
   Roughness roughness(std::size_t leaf) const override;
   void add_loads(std::size_t leaf, const Box& box, const LoadRule& rule, double* loads) const override;
 

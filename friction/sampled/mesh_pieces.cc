@@ -134,6 +134,20 @@ void MeshPieces::add(std::size_t k, double X, double Y, Derivatives derivatives,
   (derivatives == Derivatives::first ? gradient_ : hessian_)(edges_, edges.begin, edges.end, X, Y, sums);
 }
 
+void MeshPieces::add_excess(std::size_t k, const Twist& u, StribeckSums& sums) const noexcept {
+  const Range& range = leaves_[k].triangles;
+  for (std::size_t t = range.begin; t < range.end; ++t) {
+    const auto& [c, p] = triangles_[t];
+    const double ax = x_[c[1]] - x_[c[0]], ay = y_[c[1]] - y_[c[0]];
+    const double bx = x_[c[2]] - x_[c[0]], by = y_[c[2]] - y_[c[0]];
+    const double twice_area = ax * by - ay * bx, pa = p[1] - p[0], pb = p[2] - p[0];
+    const LoadedPiece triangle{
+        {x_[c[0]], x_[c[1]], x_[c[2]]},   {y_[c[0]], y_[c[1]], y_[c[2]]}, 3, p[0], (pa * by - pb * ay) / twice_area,
+        (pb * ax - pa * bx) / twice_area, std::max({p[0], p[1], p[2]})};
+    kernels::add_excess(triangle, u, sums);
+  }
+}
+
 Roughness MeshPieces::roughness(std::size_t k) const { return leaves_[k].roughness; }
 
 void MeshPieces::add_loads(std::size_t k, const Box& box, const LoadRule& rule, double* loads) const {

@@ -25,6 +25,7 @@ class MeshPieces : public Pieces {
   std::vector<PressureNode> make_tree(std::size_t count);
 
   void add(std::size_t leaf, double X, double Y, Derivatives derivatives, DistanceSums& sums) const noexcept override;
+  void add_excess(std::size_t leaf, const Twist& u, StribeckSums& sums) const noexcept override;
   Roughness roughness(std::size_t leaf) const override;
   void add_loads(std::size_t leaf, const Box& box, const LoadRule& rule, double* loads) const override;
 

@@ -16,6 +16,10 @@ Wrench SampledPatch::gradient(const Twist& v) const noexcept { return pressure_-
 BoundedWrench SampledPatch::bounded_gradient(const Twist& v) const noexcept { return pressure_->bounded_gradient(v); }
 Hessian SampledPatch::hessian(const Twist& v) const { return pressure_->hessian(v); }
 
+BoundedWrench stribeck_excess(const SampledPatch& patch, const Twist& u) noexcept {
+  return patch.pressure_->stribeck_excess(u);
+}
+
 PressureMoments SampledPatch::moments() const noexcept {
   const kernels::PressureFrame& frame = pressure_->frame();
   return {frame.x, frame.y, frame.polar};

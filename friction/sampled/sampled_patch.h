@@ -38,6 +38,8 @@ class SampledPatch {
 
   double tolerance() const noexcept;  // 0: exact
 
+  friend BoundedWrench stribeck_excess(const SampledPatch& patch, const Twist& u) noexcept;
+
  protected:
   explicit SampledPatch(std::shared_ptr<const kernels::SampledPressure> pressure) noexcept;
 

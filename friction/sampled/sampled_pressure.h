@@ -18,6 +18,7 @@
 #include <patchgrip/friction/patch.h>
 #include <patchgrip/friction/sampled/distance_sums.h>
 #include <patchgrip/friction/sampled/point_loads.h>
+#include <patchgrip/friction/sampled/stribeck_sums.h>
 
 namespace patchgrip::friction::kernels {
 
@@ -35,6 +36,8 @@ class Pieces {
   // Adds the sums of a leaf's pieces for the pole (X, Y).
   virtual void add(std::size_t leaf, double X, double Y, Derivatives derivatives,
                    DistanceSums& sums) const noexcept = 0;
+  // Adds their excess at the twist u, about the frame's origin.
+  virtual void add_excess(std::size_t leaf, const Twist& u, StribeckSums& sums) const noexcept = 0;
   virtual Roughness roughness(std::size_t leaf) const = 0;
   // Their loads at the Chebyshev points of `box`, the share of the whole patch: adds to order^2 numbers.
   virtual void add_loads(std::size_t leaf, const Box& box, const LoadRule& rule, double* loads) const = 0;
@@ -69,6 +72,7 @@ class SampledPressure {
   Wrench gradient(const Twist& v) const noexcept;
   BoundedWrench bounded_gradient(const Twist& v) const noexcept;
   Hessian hessian(const Twist& v) const;
+  BoundedWrench stribeck_excess(const Twist& u) const noexcept;
   const PressureFrame& frame() const noexcept { return frame_; }
   double tolerance() const noexcept { return tolerance_; }
 
