@@ -258,13 +258,14 @@ BoundedWrench SampledPressure::stribeck_excess(const Twist& twist) const noexcep
     const double slowest = std::max(0.0, speed - W * half), lever = half + std::hypot(box.x, box.y);
     const double most = std::exp(-slowest * slowest);
     if (most < 1e-18) {
-      sums.add_error(errors_[k].share * most, lever);
+      sums.add_error(errors_[k].share * most, lever * errors_[k].share * most);
       continue;
     }
     const double R = W > 0 ? std::min(speed / (W * half), 1e6) : 1e6;
     const double error = R >= rule_.reach ? excess_error(rule_.order, R, W * half) : 1;
     if (error <= 16 * rule_.tolerance) {
-      sums.add_error(errors_[k].share * (error + 16 * unit), lever);
+      const double kept = errors_[k].share * (error + 16 * unit);
+      sums.add_error(kept, lever * kept);
       add_loads(k);
     } else if (node.children == 0) {
       pieces_->add_excess(node.leaf, u, sums);
@@ -277,7 +278,7 @@ BoundedWrench SampledPressure::stribeck_excess(const Twist& twist) const noexcep
   const double near = 2 * std::sqrt(std::numbers::pi * frame_.highest) * (V + radius_ * W) / W;
   const double far = V > 2 * radius_ * W ? (V + radius_ * W) / (V - radius_ * W) : near;
   const double turn = unit * 8 * std::min(near, far);
-  BoundedWrench& g = sums.wrench;
+  BoundedWrench g = sums.total();
   g.force_error += turn;
   g.moment_error += radius_ * turn;
   const double arm = std::fabs(frame_.x) + std::fabs(frame_.y);

@@ -82,8 +82,8 @@ void add_about_pole(const LoadedPiece& p, const Twist& u, double size, double le
     }
     sums.add(value[0], value[1], size * value[2] + X * value[1] - Y * value[0]);
     const double terms = std::fabs(h) * l * (std::fabs(at_pole) + p.highest);
-    sums.add_error(error[0] + error[1] + 16 * unit * terms, lever);
-    sums.wrench.moment_error += size * error[2];
+    const double force_error = error[0] + error[1] + 16 * unit * terms;
+    sums.add_error(force_error, lever * force_error + size * error[2]);
   }
 }
 
@@ -110,13 +110,14 @@ void add_excess(const LoadedPiece& p, const Twist& u, StribeckSums& sums) noexce
   const double least_speed = std::max(0.0, speed - W * radius), load = p.highest * area;
   const double lever = std::hypot(cx, cy) + radius;
   const double most = std::exp(-least_speed * least_speed);
-  if (most < negligible) return sums.add_error(load * most, lever);
-  sums.add_error(32 * unit * load * most, lever);
+  if (most < negligible) return sums.add_error(load * most, lever * load * most);
+  const double rounding = 32 * unit * load * most;
+  sums.add_error(rounding, lever * rounding);
   const double away = least_speed / (W * radius), rho = away + std::sqrt(away * away + 1);
   for (const int count : {4, 6, 8, 12, 16, 24}) {
     const double error = 16 * (W > 0 ? decay(std::min(rho, 1e3), 2 * count, W * radius) : 0);
     if (error > unit) continue;
-    sums.add_error(error * load, lever);
+    sums.add_error(error * load, lever * error * load);
     return add_by_points(p, count, u, sums);
   }
   add_about_pole(p, u, radius, lever + speed / W, sums);

@@ -24,19 +24,32 @@
 
 namespace patchgrip::friction::kernels {
 
-// Force and moment about the frame's origin, with their errors.
-struct StribeckSums {
-  BoundedWrench wrench;
-
+// Force and moment about the frame's origin, with their errors. Of many terms: what each addition rounds off is kept.
+class StribeckSums {
+ public:
   void add(double fx, double fy, double m) noexcept {
-    wrench.value.fx += fx;
-    wrench.value.fy += fy;
-    wrench.value.m += m;
+    accumulate(sum_.value.fx, lost_.fx, fx);
+    accumulate(sum_.value.fy, lost_.fy, fy);
+    accumulate(sum_.value.m, lost_.m, m);
   }
-  void add_error(double force, double lever) noexcept {
-    wrench.force_error += force;
-    wrench.moment_error += force * lever;
+  void add_error(double force, double moment) noexcept {
+    sum_.force_error += force;
+    sum_.moment_error += moment;
   }
+  BoundedWrench total() const noexcept {
+    const auto& [fx, fy, m] = sum_.value;
+    return {{fx + lost_.fx, fy + lost_.fy, m + lost_.m}, sum_.force_error, sum_.moment_error};
+  }
+
+ private:
+  static void accumulate(double& sum, double& lost, double term) noexcept {
+    const double next = sum + term, added = next - sum;
+    lost += (sum - (next - added)) + (term - added);
+    sum = next;
+  }
+
+  BoundedWrench sum_;
+  Wrench lost_;
 };
 
 // Corners counter-clockwise.
