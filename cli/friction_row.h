@@ -4,12 +4,15 @@
 // radius that follows from bodies, is part of it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <patchgrip/cli/input_error.h>
 #include <patchgrip/cli/scene/contact_reader.h>
 #include <patchgrip/cli/scene/motions.h>
+#include <patchgrip/friction/any_patch.h>
 #include <patchgrip/friction/law.h>
+#include <patchgrip/friction/local_stribeck.h>
 #include <patchgrip/friction/patch.h>
 
 namespace patchgrip::cli {
@@ -49,6 +52,46 @@ friction::BoundedWrench friction_row(const Contact& contact, const friction::Law
     add({unit * std::hypot(row.value.fx, row.value.fy), unit * std::fabs(row.value.m)});
   }
   return row;
+}
+
+// The same with Stribeck's law at each point. What it owes to inputs: its slope at a point is at most that of Coulomb
+// friction with mu_k + |mu_s - mu_k|, as |d (exp(-u^2) u / |u|)| <= |du| / |u|; a rounded twist is a pole moved by a
+// rounding, 16 units of the force at most (placed.h).
+template <friction::Patch P>
+friction::BoundedWrench local_friction_row(const Contact& contact, const friction::Law& law, const P& patch,
+                                           const Motion& motion) {
+  if constexpr (!friction::LocalPatch<P>) {
+    return local_friction_row(contact, law, friction::AnyPatch(patch), motion);
+  } else {
+    constexpr double unit = 0x1p-53;
+    const double force = contact.normal_force;
+    const friction::Twist& v = motion.twist;
+    friction::BoundedWrench row = friction::local_friction_wrench(law, force, patch, v);
+    const auto add = [&row](const WrenchError& error) {
+      row.force_error += error.force;
+      row.moment_error += error.moment;
+    };
+    friction::Law steepest = friction::Law::coulomb(law.mu_kinetic + std::fabs(law.mu_static - law.mu_kinetic));
+    steepest.mu_viscous = law.mu_viscous;
+    const bool turns = motion.spin != 0;
+    const friction::PressureMoments s = patch.moments();
+    if (turns && motion.angular_speed != 1) {
+      const double shift = 16 * unit * steepest.mu_kinetic * force;
+      add({shift, shift * (std::hypot(s.x, s.y) + std::sqrt(s.polar))});
+      add(error_of_twist(steepest, force, s, {}, v));
+    }
+    const double shape_error = std::max(contact.radius_error, contact.shape_error);
+    if (turns && shape_error > 0) {
+      const double extent = contact.radius_error > 0 ? patch.area_radius() : contact.extent;
+      const friction::Pole centre{contact.frame.x, contact.frame.y};
+      add(error_of_shape(steepest, force, ShapeMotion::of(patch, centre, extent, v), shape_error));
+    }
+    if (contact.coarse) {
+      const auto coarse = local_friction_wrench(law, force, placed(*contact.coarse, contact.frame), v).value;
+      add({std::hypot(row.value.fx - coarse.fx, row.value.fy - coarse.fy), std::fabs(row.value.m - coarse.m)});
+    }
+    return row;
+  }
 }
 
 }  // namespace patchgrip::cli

@@ -30,7 +30,8 @@ void tabulate(const Scene& scene, const std::string& scene_path, OutputFile& out
     for (std::size_t i = 0; i < rows; ++i) {
       InterruptGuard::check();
       const Motion motion = scene.motions[i];
-      const friction::BoundedWrench wrench = friction_row(scene.contact, scene.law, patch, motion);
+      const friction::BoundedWrench wrench = scene.local ? local_friction_row(scene.contact, scene.law, patch, motion)
+                                                         : friction_row(scene.contact, scene.law, patch, motion);
       if (!is_finite(wrench)) {
         throw SceneError(
             scene_path, 0,

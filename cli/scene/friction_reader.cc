@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string_view>
+
 namespace patchgrip::cli {
 namespace {
 
@@ -21,13 +24,26 @@ Law read_dry(const TomlReader& table) {
   return Law::stribeck(mu_static, mu_kinetic, table.number("stribeck_velocity", positive("a speed in m/s")));
 }
 
+TomlReader friction_table(const TomlReader& scene) {
+  if (!scene.has("friction")) scene.refuse("friction", "a table [friction], with 'mu' say");
+  return scene.table("friction", {"mu", "mu_static", "mu_kinetic", "stribeck_velocity", "stribeck", "mu_viscous"});
+}
+
+// Where its speed is taken: true at each point, false in the mean.
+bool read_stribeck(const TomlReader& table) {
+  constexpr std::array<std::string_view, 2> speeds{"mean", "local"};
+  if (!table.has("stribeck")) return false;
+  const bool local = table.choice("stribeck", speeds) == 1;
+  if (!table.has("mu_static")) table.refuse("stribeck", "used with 'mu_static', 'mu_kinetic' and 'stribeck_velocity'");
+  return local;
+}
+
 }  // namespace
 
 Law read_friction(const TomlReader& scene) {
-  if (!scene.has("friction")) scene.refuse("friction", "a table [friction], with 'mu' say");
-  const TomlReader table =
-      scene.table("friction", {"mu", "mu_static", "mu_kinetic", "stribeck_velocity", "mu_viscous"});
+  const TomlReader table = friction_table(scene);
   const Law law = read_dry(table);
+  read_stribeck(table);
   if (table.has("mu_viscous"))
     return law.with_viscous(table.number("mu_viscous", non_negative("a viscous coefficient in s/m")));
   if (!table.has("mu") && !table.has("mu_static")) {
@@ -36,11 +52,16 @@ Law read_friction(const TomlReader& scene) {
   return law;
 }
 
-std::string in_words(const Law& law) {
+bool is_local_stribeck(const TomlReader& scene) {
+  return scene.has("friction") && read_stribeck(friction_table(scene));
+}
+
+std::string in_words(const Law& law, bool local) {
   std::string words = law.mu_static == law.mu_kinetic
                           ? fmt::format("Coulomb, mu = {}", law.mu_kinetic)
-                          : fmt::format("Stribeck in the mean, mu(v) = {} + ({} - {}) exp(-v^2 / ({} m/s)^2)",
-                                        law.mu_kinetic, law.mu_static, law.mu_kinetic, law.stribeck_velocity);
+                          : fmt::format("Stribeck {}, mu(v) = {} + ({} - {}) exp(-v^2 / ({} m/s)^2)",
+                                        local ? "at each point" : "in the mean", law.mu_kinetic, law.mu_static,
+                                        law.mu_kinetic, law.stribeck_velocity);
   if (law.mu_viscous != 0) words += fmt::format(", and viscous, mu_V = {} s/m", law.mu_viscous);
   return words;
 }

@@ -11,7 +11,10 @@ namespace patchgrip::cli {
 // Throws SceneError.
 friction::Law read_friction(const TomlReader& scene);
 
+// Whether Stribeck's law is taken at each point and not in the mean: 'stribeck'. Throws SceneError.
+bool is_local_stribeck(const TomlReader& scene);
+
 // The law as a formula, for the head of a table.
-std::string in_words(const friction::Law& law);
+std::string in_words(const friction::Law& law, bool local);
 
 }  // namespace patchgrip::cli

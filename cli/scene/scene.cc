@@ -1,5 +1,6 @@
 #include <patchgrip/cli/scene/scene.h>
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -38,7 +39,15 @@ Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials)
   } else if (!law) {
     law = read_friction(scene);  // says that it is missing
   }
-  return {std::move(title), std::move(contact), *law, std::move(motions)};
+  const bool local = is_local_stribeck(scene);
+  if (local) {
+    const TomlReader table = contact_table(scene);
+    if (contact.resistance) scene.refuse("friction", "parts with their own 'mu' rub by Coulomb's law: give 'mu' alone");
+    if (!std::isfinite(stribeck_excess(any_patch(contact), friction::Twist{}).force_error)) {
+      table.refuse_table("has a patch that takes Stribeck's law in the mean alone: leave out 'stribeck' in [friction]");
+    }
+  }
+  return {std::move(title), std::move(contact), *law, std::move(motions), local};
 }
 
 }  // namespace patchgrip::cli

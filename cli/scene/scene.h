@@ -16,6 +16,7 @@ struct Scene {
   Contact contact;
   friction::Law law;
   Motions motions;
+  bool local = false;  // Stribeck's law at each point, not in the mean
 };
 
 // The whole file, with the tables of every question.

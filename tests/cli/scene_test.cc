@@ -174,6 +174,11 @@ const std::vector<BadScene>& bad_scenes() {
        "friction.stribeck_velocity: missing: a speed in m/s"},
       {"ZeroStribeckVelocity", disc("mu = 0.5", "mu_static = 0.5\nmu_kinetic = 0.4\nstribeck_velocity = 0"), 8,
        "friction.stribeck_velocity = 0: a speed"},
+      {"StribeckSomewhereElse",
+       disc("mu = 0.5", "mu_static = 0.5\nmu_kinetic = 0.4\nstribeck_velocity = 1\nstribeck = \"locally\""), 9,
+       "friction.stribeck = \"locally\""},
+      {"StribeckOfCoulomb", disc("mu = 0.5", "mu = 0.5\nstribeck = \"local\""), 7,
+       "friction.stribeck = \"local\": used with 'mu_static'"},
       {"EmptyFriction", disc("mu = 0.5\n", ""), 5, "friction: needs 'mu'"},
       {"NegativeViscosity", disc("mu = 0.5", "mu_viscous = -1"), 6, "friction.mu_viscous = -1: a viscous coefficient"},
       // poles

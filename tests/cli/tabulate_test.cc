@@ -20,6 +20,7 @@
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/local_stribeck.h>
 
 #include "scenes.h"
 
@@ -195,6 +196,31 @@ TEST_F(Tabulate, StribeckFrictionFallsWithSpeed) {
   const double slow = std::hypot(table.rows[0].fx, table.rows[0].fy);
   const double fast = std::hypot(table.rows[1].fx, table.rows[1].fy);
   EXPECT_NEAR(slow / fast, 0.6 / 0.4, 1e-12);
+}
+
+// At each point: as the library says, for a disc from bodies with a wider bound, and for each kind of patch.
+TEST_F(Tabulate, StribeckFrictionIsTakenAtEachPointIfAsked) {
+  const std::string law = "mu_static = 0.6\nmu_kinetic = 0.4\nstribeck_velocity = 0.01\nstribeck = \"local\"";
+  const Scene scene = scene_of(with(test::good_disc, "mu = 0.5", law) + "angular_speed = [0.1, 1, 10]\n");
+  const Table table = table_of(scene);
+  ASSERT_THAT(table.rows, SizeIs(6));
+  for (const Row& row : table.rows) {
+    const auto wrench =
+        local_friction_wrench(scene.law, 10, friction::HertzDisc::of_radius(0.005), {row.vx, row.vy, row.w});
+    EXPECT_EQ(row.fx, wrench.value.fx);
+    EXPECT_EQ(row.m, wrench.value.m);
+    EXPECT_GE(row.force_error, wrench.force_error);
+    EXPECT_LE(row.force_error, 1e-13);
+  }
+  const Table bodies = table_of(scene_of(with(test::good_bodies, "mu = 0.8", law)));
+  EXPECT_GT(bodies.rows[0].moment_error, 0);
+  EXPECT_LT(bodies.rows[0].moment_error, 1e-13 * 10 * 0.001);
+}
+
+TEST_F(Tabulate, StribeckAtEachPointIsRefusedWhereThePressureIsNotAtHand) {
+  const std::string law = "mu_static = 0.6\nmu_kinetic = 0.4\nstribeck_velocity = 0.01\nstribeck = \"local\"";
+  const std::string scene = with(with(test::good_disc, "mu = 0.5", law), "hertz_disc", "xydas_kao_disc");
+  EXPECT_THROW(scene_of(with(scene, "radius = 0.005", "radius = 0.005\nalpha = 3")), SceneError);
 }
 
 TEST_F(Tabulate, BodiesWidenTheBound) {
