@@ -117,7 +117,7 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
   std::array<double, 6> cuts{-pi / 2, pi / 2, pi / 2, pi / 2, pi / 2, pi / 2};
   std::size_t count = 1;
   const auto angle = [&](double x, double y) { return std::atan2(ex * y - ey * x, ex * x + ey * y); };
-  const double level = std::hypot(u.vx / b, u.vy / a), theta_0 = std::atan2(u.vy / a, u.vx / b);
+  const double level = std::hypot(u.vx / b, u.vy / a), theta_0 = std::atan2(ey / a, ex / b);
   const double leaves = level > w ? std::atan2(std::sqrt((level - w) * (level + w)), w) : 0;
   const bool round = a == b;
   for (const double theta : {-leaves, 0.0, leaves}) {
@@ -141,6 +141,10 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
     g.value.fy = along * ey;
   }
   g.value.m *= std::copysign(1.0, u.w);
+  // u . n is rounded against |u|, the jump's place s against W: the integral of that over the directions.
+  const double rounding = 16 * unit * (1 + std::fabs(std::log(a / b)));
+  g.force_error += rounding;
+  g.moment_error += rounding * length;
   return g;
 }
 
