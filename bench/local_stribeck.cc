@@ -3,8 +3,8 @@
 //     local_stribeck [--output CSV]
 //
 // Per mu_s - mu_k and normal force both wrenches differ by E - exp(-v_m^2 / v_S^2) grad D (friction/local_stribeck.h),
-// whatever the coefficients. A Hertz disc, and a rectangle 4 : 1 with its pole on the long axis; the pole's distance in
-// units of the disc's radius or half the long side, moments likewise.
+// whatever the coefficients. A Hertz disc, a Hertz ellipse 3 : 1, and rectangles 4 : 1 and 20 : 1, the pole on the long
+// axis; its distance in units of the disc's radius, the major semi-axis or half the long side, moments likewise.
 #include <fmt/ostream.h>
 
 #include <algorithm>
@@ -17,6 +17,7 @@
 #include <string>
 
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/local_stribeck.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/version.h>
@@ -76,7 +77,7 @@ void report(const char* name, const P& patch, std::ostream* table) {
   const Worst worst = compare(name, patch, table);
   const Law law = Law::stribeck(0.9, 0.5, 1);
   const Twist v = twist_about({0.5, 0}, 1);
-  fmt::print("{:14} apart by up to {:.3f} (force), {:.3f} (moment); error of a local wrench <= {:.1e}; {:.0f} us\n",
+  fmt::print("{:17} apart by up to {:.3f} (force), {:.3f} (moment); error of a local wrench <= {:.1e}; {:.0f} us\n",
              name, worst.force, worst.moment, worst.error,
              fastest_us([&] { return local_friction_wrench(law, 1, patch, v); }));
 }
@@ -102,6 +103,8 @@ int main(int argc, char** argv) {
   }
   std::ostream* const table = output.empty() ? nullptr : &file;
   report("hertz_disc", HertzDisc::of_radius(1), table);
+  report("hertz_ellipse_3_1", HertzEllipse::of_semi_axes(1, 1. / 3), table);
   report("rectangle_4_1", Rectangle::of_sides(2, 0.5), table);
+  report("rectangle_20_1", Rectangle::of_sides(2, 0.1), table);
   return EXIT_SUCCESS;
 }

@@ -9,7 +9,9 @@ from style import BLACK, plt
 
 PATCHES = {
     "hertz_disc": ("Hertz disc", "distance of the pole / radius [-]"),
-    "rectangle_4_1": ("rectangle 4 : 1, pole on its long axis", "distance of the pole / half the long side [-]"),
+    "hertz_ellipse_3_1": ("Hertz ellipse 3 : 1", "pole on the long axis / semi-axis [-]"),
+    "rectangle_4_1": ("rectangle 4 : 1", "pole on the long axis / half the long side [-]"),
+    "rectangle_20_1": ("rectangle 20 : 1", "pole on the long axis / half the long side [-]"),
 }
 LEVELS = [1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1]
 
@@ -31,8 +33,8 @@ def read(path):
 def main():
     options = style.arguments(__doc__, 1)
     compared = read(options.input[0])
-    figure, all_axes = plt.subplots(1, 2, sharey=True, figsize=(style.PAGE, 3.2))
-    for axes, (patch, (name, pole)) in zip(all_axes, PATCHES.items()):
+    figure, all_axes = plt.subplots(2, 2, sharex=True, sharey=True, figsize=(style.PAGE, 5.8))
+    for axes, (patch, (name, pole)) in zip(all_axes.flat, PATCHES.items()):
         poles, speeds, apart = compared[patch]
         apart = np.maximum(apart, LEVELS[0] / 10)
         filled = axes.contourf(poles, speeds, apart, LEVELS, norm=LogNorm(LEVELS[0], LEVELS[-1]), cmap="Blues", extend="min")
@@ -42,7 +44,8 @@ def main():
         axes.set_xlabel(pole)
         axes.set_title(name, loc="left")
         axes.grid(False)
-    all_axes[0].set_ylabel(r"mean speed $v_m / v_S$ [-]")
+    for axes in all_axes[:, 0]:
+        axes.set_ylabel(r"mean speed $v_m / v_S$ [-]")
     bar = figure.colorbar(filled, ax=all_axes, ticks=LEVELS, format=lambda level, _: f"{level:g}")
     bar.set_label(r"|local $-$ mean| per $(\mu_s - \mu_k) F_N$ [-]")
     style.save(figure, options.output)
