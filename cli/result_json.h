@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <patchgrip/cli/press/answer.h>
+#include <patchgrip/cli/result.h>
 
 namespace patchgrip::cli {
 

@@ -8,8 +8,8 @@
 
 #include <patchgrip/cli/limit/limit_scene.h>
 #include <patchgrip/cli/limit/load_answer.h>
-#include <patchgrip/cli/press/answer.h>
-#include <patchgrip/cli/press/table.h>
+#include <patchgrip/cli/result.h>
+#include <patchgrip/cli/table.h>
 
 namespace patchgrip::cli {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <patchgrip/cli/limit/limit_mesh.h>
-#include <patchgrip/cli/press/table.h>
+#include <patchgrip/cli/table.h>
 
 namespace patchgrip::cli {
 

@@ -10,14 +10,9 @@
 #include <string_view>
 #include <vector>
 
-namespace patchgrip::cli {
+#include <patchgrip/cli/result.h>
 
-struct Result {
-  std::string name;
-  double value;
-  double error;  // >= 0, in the unit of the value
-  std::string unit;
-};
+namespace patchgrip::cli {
 
 struct LawAnswer {
   std::string law;

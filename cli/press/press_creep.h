@@ -3,7 +3,7 @@
 #pragma once
 
 #include <patchgrip/cli/press/pressed.h>
-#include <patchgrip/cli/press/table.h>
+#include <patchgrip/cli/table.h>
 
 namespace patchgrip::cli {
 

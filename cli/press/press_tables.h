@@ -3,7 +3,7 @@
 
 #include <patchgrip/cli/press/press_scene.h>
 #include <patchgrip/cli/press/pressed.h>
-#include <patchgrip/cli/press/table.h>
+#include <patchgrip/cli/table.h>
 
 namespace patchgrip::cli {
 

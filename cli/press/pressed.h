@@ -8,7 +8,7 @@
 
 #include <patchgrip/cli/press/answer.h>
 #include <patchgrip/cli/press/press_scene.h>
-#include <patchgrip/cli/press/table.h>
+#include <patchgrip/cli/table.h>
 #include <patchgrip/contact/estimate.h>
 
 namespace patchgrip::cli {

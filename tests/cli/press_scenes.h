@@ -13,7 +13,7 @@
 #include <patchgrip/cli/press/press_creep.h>
 #include <patchgrip/cli/press/press_scene.h>
 #include <patchgrip/cli/press/press_tables.h>
-#include <patchgrip/cli/press/table.h>
+#include <patchgrip/cli/table.h>
 
 #include "scenes.h"
 

@@ -1,4 +1,4 @@
-#include <patchgrip/cli/press/table.h>
+#include <patchgrip/cli/table.h>
 
 #include <cmath>
 
