@@ -4,19 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include <patchgrip/cli/scene/csv_reader.h>
 #include <patchgrip/cli/scene/outline_reader.h>
-#include <patchgrip/contact/triangle_mesh.h>
+#include <patchgrip/cli/scene/pressure_reader.h>
 #include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/point_load.h>
-#include <patchgrip/friction/sampled/pressure_grid.h>
-#include <patchgrip/friction/sampled/pressure_mesh.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -88,36 +84,6 @@ DescribedPatch read_line_load(const TomlReader& table) {
 
 DescribedPatch read_point_load(const TomlReader&) { return {AnyPatch(friction::PointLoad{}), "point load"}; }
 
-DescribedPatch read_pressure_grid(const TomlReader& table) {
-  const auto [dx, dy] = read_sides(table, "cell");
-  const NumberRows rows = read_numbers(beside_scene(table, "pressures"));
-  friction::PressureCells cells{rows.columns, rows.rows(), dx, dy, 0, 0, rows.numbers};
-  cells.x0 = -0.5 * static_cast<double>(cells.nx) * dx;
-  cells.y0 = -0.5 * static_cast<double>(cells.ny) * dy;
-  return {
-      made(table, "pressures",
-           [&] { return AnyPatch(friction::PressureGrid::within(friction::PressureGrid::default_tolerance, cells)); }),
-      fmt::format("pressures {}, {} by {} cells of {} m by {} m", table.text("pressures"), cells.nx, cells.ny, dx, dy)};
-}
-
-// A surface over the contact plane whose height is the pressure.
-DescribedPatch read_pressure_mesh(const TomlReader& table) {
-  const std::filesystem::path file = beside_scene(table, "mesh");
-  const double unit = table.has("unit") ? table.number("unit", positive("the unit of the mesh's x and y in m")) : 1;
-  return made(table, "mesh", [&]() -> DescribedPatch {
-    const auto surface = contact::TriangleMesh::read(file.string());
-    friction::Triangulation mesh{{}, surface.triangles()};
-    std::vector<double> pressures;
-    for (const auto& [x, y, p] : surface.vertices()) {
-      mesh.points.push_back({unit * x, unit * y});
-      pressures.push_back(p);
-    }
-    const double tolerance = friction::PressureMesh::default_tolerance;
-    return {AnyPatch(friction::PressureMesh::linear_within(tolerance, mesh, pressures)),
-            fmt::format("pressure over the mesh {}, {} triangles", table.text("mesh"), mesh.triangles.size())};
-  });
-}
-
 // A name of 'patch', the keys that it takes, and how it is read.
 struct Kind {
   std::string_view name;
@@ -138,6 +104,7 @@ const std::vector<Kind>& kinds() {
       {"polygon", {"vertices", "holes"}, read_polygon},
       {"pressure_grid", {"pressures", "cell", "centre"}, read_pressure_grid},
       {"pressure_mesh", {"mesh", "unit", "centre"}, read_pressure_mesh},
+      {"pressure_points", {"points", "unit", "vertices", "holes"}, read_pressure_points},
       {"line", {"length", "centre"}, read_line_load},
       {"point", {"centre"}, read_point_load},
   };

@@ -60,6 +60,10 @@ moment = 0.01
 
 std::string load(const std::string& keys) { return with(good_limit, "force = [3, 0.5]\nmoment = 0.002", keys); }
 
+std::string points(const std::string& keys, const std::string& vertices = "[[-1, -1], [1, -1], [0, 1]]") {
+  return "[contact]\npatch = \"pressure_points\"\n" + keys + "\nvertices = " + vertices + "\nnormal_force = 1\n";
+}
+
 std::vector<Bad> bad_scenes() {
   return {
       {"NoContact", "[friction]\nmu = 1\n", 1, "contact: missing"},
@@ -98,6 +102,20 @@ std::vector<Bad> bad_scenes() {
        "contact.semi_axes = [1, 1e-7]: "},
       {"AngleOfText", with(good_limit, "radius", "angle = \"30\"\nradius"), 3,
        "contact.angle = \"30\": an angle against the x-axis in rad"},
+      {"NoPoints", points(""), 1, "contact.points: missing: this key is needed"},
+      {"NoSuchPoints", points("points = \"no.csv\""), 3, "contact.points = \"no.csv\": no such file"},
+      {"PointsOfManyColumns", points("points = \"tactile.csv\""), 3,
+       "contact.points = \"tactile.csv\": needs 3 columns, x, y and pressure, not 16"},
+      {"PointsOutside", points("points = \"pad.csv\""), 3,
+       "contact.points = \"pad.csv\": points[0] = [-19.3, -5.5] is not allowed: must lie within the vertices"},
+      {"PointsOfNoUnit", points("points = \"pad.csv\"\nunit = 0"), 4,
+       "contact.unit = 0: the unit of x and y in the file in m"},
+      {"PointsWithoutOutline", "[contact]\npatch = \"pressure_points\"\npoints = \"pad.csv\"\n", 1,
+       "contact.vertices: missing: points [[x, y], ...] in m"},
+      {"PointsWithACentre", points("points = \"pad.csv\"\ncentre = [0, 0]"), 4,
+       "contact.centre = [0, 0]: not used by a pressure_points"},
+      {"PointsInALoop", points("points = \"pad.csv\"\nunit = 1e-3", "[[0, 0], [1, 1], [1, 0], [0, 1]]"), 3,
+       "contact.points = \"pad.csv\": vertices crosses or touches itself"},
       {"MuOfTheContact", with(good_limit, "radius", "mu = 0.4\nradius"), 3, "contact.mu = 0.4: unknown key"},
       {"PartsAndForce", "[contact]\nnormal_force = 3\n" + parts, 2,
        "contact.normal_force = 3: not used beside 'parts'"},

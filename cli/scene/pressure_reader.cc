@@ -1,0 +1,89 @@
+#include <patchgrip/cli/scene/pressure_reader.h>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <patchgrip/cli/scene/csv_reader.h>
+#include <patchgrip/cli/scene/outline_reader.h>
+#include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/contact/triangle_mesh.h>
+#include <patchgrip/friction/any_patch.h>
+#include <patchgrip/friction/sampled/pressure_grid.h>
+#include <patchgrip/friction/sampled/pressure_mesh.h>
+#include <patchgrip/friction/sampled/scattered.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using friction::AnyPatch;
+
+double read_unit(const TomlReader& table) {
+  return table.has("unit") ? table.number("unit", positive("the unit of x and y in the file in m")) : 1;
+}
+
+AnyPatch linear_between(const friction::Triangulation& mesh, const std::vector<double>& pressures) {
+  return friction::PressureMesh::linear_within(friction::PressureMesh::default_tolerance, mesh, pressures);
+}
+
+}  // namespace
+
+DescribedPatch read_pressure_grid(const TomlReader& table) {
+  const auto [dx, dy] = read_sides(table, "cell");
+  const NumberRows rows = read_numbers(beside_scene(table, "pressures"));
+  friction::PressureCells cells{rows.columns, rows.rows(), dx, dy, 0, 0, rows.numbers};
+  cells.x0 = -0.5 * static_cast<double>(cells.nx) * dx;
+  cells.y0 = -0.5 * static_cast<double>(cells.ny) * dy;
+  return {
+      made(table, "pressures",
+           [&] { return AnyPatch(friction::PressureGrid::within(friction::PressureGrid::default_tolerance, cells)); }),
+      fmt::format("pressures {}, {} by {} cells of {} m by {} m", table.text("pressures"), cells.nx, cells.ny, dx, dy)};
+}
+
+// A surface over the contact plane whose height is the pressure.
+DescribedPatch read_pressure_mesh(const TomlReader& table) {
+  const std::filesystem::path file = beside_scene(table, "mesh");
+  const double unit = read_unit(table);
+  return made(table, "mesh", [&]() -> DescribedPatch {
+    const auto surface = contact::TriangleMesh::read(file.string());
+    friction::Triangulation mesh{{}, surface.triangles()};
+    std::vector<double> pressures;
+    for (const auto& [x, y, p] : surface.vertices()) {
+      mesh.points.push_back({unit * x, unit * y});
+      pressures.push_back(p);
+    }
+    return {linear_between(mesh, pressures),
+            fmt::format("pressure over the mesh {}, {} triangles", table.text("mesh"), mesh.triangles.size())};
+  });
+}
+
+DescribedPatch read_pressure_points(const TomlReader& table) {
+  const std::filesystem::path file = beside_scene(table, "points");
+  const double unit = read_unit(table);
+  const Outline outline = read_outline(table, "vertices", "holes");
+  const NumberRows rows = read_numbers(file);
+  if (rows.columns != 3)
+    table.refuse("points", fmt::format("needs 3 columns, x, y and pressure, not {}", rows.columns));
+  std::vector<friction::Point> points;
+  std::vector<double> pressures;
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const std::span<const double> row = rows[i];
+    if (row[2] < 0) {
+      throw SceneError(file.string(), rows.lines[i], fmt::format("column 3: a pressure of {}: must be >= 0", row[2]));
+    }
+    points.push_back({unit * row[0], unit * row[1]});
+    pressures.push_back(row[2]);
+  }
+  return made(table, "points", [&]() -> DescribedPatch {
+    const auto mesh = friction::triangulate_between(points, outline.outer, outline.holes);
+    pressures.resize(mesh.points.size(), 0);
+    return {linear_between(mesh, pressures),
+            fmt::format("pressures {} at {} points, outer vertices {}, holes {}", table.text("points"), points.size(),
+                        outline.outer.size(), outline.holes.size())};
+  });
+}
+
+}  // namespace patchgrip::cli
