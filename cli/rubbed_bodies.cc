@@ -106,17 +106,19 @@ RubbedBodies grid_of_bodies(const BodyPair& pair, double force, double modulus, 
   const StaticLoad load{LoadKind::normal_force, force, contact.place("normal_force")};
   const Place bodies = contact.place("bodies");
   try {
-    const auto pressed = press_map(pair, modulus, load, bodies);
-    const auto& [nx, ny, dx, dy] = pressed.grid;
-    return {
-        .patch = sampled(pressed),
-        .coarse = sampled(press_map(pair, modulus, load, bodies, 2)),
-        .notes = {fmt::format("pressure by the numerical half-space on {} by {} cells of {} m by {} m", nx, ny, dx, dy),
+    return at(load.place, [&]() -> RubbedBodies {
+      const auto pressed = press_map(pair, modulus, load, bodies);
+      const auto& [nx, ny, dx, dy] = pressed.grid;
+      return {.patch = sampled(pressed),
+              .coarse = sampled(press_map(pair, modulus, load, bodies, 2)),
+              .notes = {
+                  fmt::format("pressure by the numerical half-space on {} by {} cells of {} m by {} m", nx, ny, dx, dy),
                   "errors hold the difference from half as many cells a side: an estimate"}};
-  } catch (const std::logic_error&) {
+    });
+  } catch (const SceneError&) {
     throw;
   } catch (const std::runtime_error& error) {
-    throw Unanswered(fmt::format("{}: {}", printable(contact.document().name(), std::string::npos), error.what()));
+    throw Unanswered(load.place, error.what());
   }
 }
 

@@ -9,7 +9,7 @@
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/progress.h>
-#include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/scene/place.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -47,12 +47,13 @@ Capacity capacity_of(const LimitScene& scene) {
   return capacity;
 }
 
-LimitAnswer answer_limit(const LimitScene& scene, const std::string& scene_path) {
+LimitAnswer answer_limit(const LimitScene& scene) {
   const LimitSurface surface{any_patch(scene.contact)};
   std::optional<LimitSurface<AnyPatch>> coarse;
   if (scene.contact.coarse) coarse.emplace(placed(*scene.contact.coarse, scene.contact.frame));
   const Capacity capacity = capacity_of(scene);
-  LimitAnswer answer{contact_results(scene, surface, capacity), {}, scene.contact.warnings};
+  LimitAnswer answer{
+      at(scene.contact_place, [&] { return contact_results(scene, surface, capacity); }), {}, scene.contact.warnings};
   const std::size_t count = scene.loads.size();
   constexpr int no_output = -1;  // nothing is written while it runs
   Progress progress("limit", count, Progress::wanted(no_output));
@@ -60,11 +61,12 @@ LimitAnswer answer_limit(const LimitScene& scene, const std::string& scene_path)
   for (std::size_t i = 0; i < count; ++i) {
     InterruptGuard::check();
     const friction::Wrench load = scene.loads[i];
-    LoadAnswer held = coarse ? answer_load(surface, *coarse, capacity, load) : answer_load(surface, capacity, load);
+    LoadAnswer held = at(scene.loads.place(i), [&] {
+      return coarse ? answer_load(surface, *coarse, capacity, load) : answer_load(surface, capacity, load);
+    });
     if (held.gauge.status == GaugeStatus::not_finite || !std::isfinite(held.gauge_error)) {
-      throw SceneError(scene_path, 0,
-                       fmt::format("the gauge of the load ({} N, {} N, {} N m) leaves the range of a double", load.fx,
-                                   load.fy, load.m));
+      scene.loads.place(i).refuse(fmt::format("the gauge of the load ({} N, {} N, {} N m) leaves the range of a double",
+                                              load.fx, load.fy, load.m));
     }
     answer.loads.push_back(std::move(held));
     progress.at(i);

@@ -1,8 +1,6 @@
 // Does friction hold the loads of a scene? The answers, load by load.
 #pragma once
 
-#include <string>
-
 #include <patchgrip/cli/limit/limit_answer.h>
 #include <patchgrip/cli/limit/limit_scene.h>
 #include <patchgrip/cli/limit/load_answer.h>
@@ -13,6 +11,6 @@ namespace patchgrip::cli {
 Capacity capacity_of(const LimitScene& scene);
 
 // Throws SceneError where a gauge leaves the range of a double, and Interrupted.
-LimitAnswer answer_limit(const LimitScene& scene, const std::string& scene_path);
+LimitAnswer answer_limit(const LimitScene& scene);
 
 }  // namespace patchgrip::cli

@@ -53,21 +53,22 @@ LoadSet read_direction_loads(const TomlReader& load, double area_radius) {
 }
 
 Loads read_loads(const TomlReader& scene, double area_radius) {
-  std::vector<LoadSet> sets;
-  if (!scene.has("loads")) return Loads(std::move(sets));
+  std::vector<LoadTable> tables;
+  if (!scene.has("loads")) return Loads(std::move(tables));
   double total = 0;
   for (const TomlReader& load :
        scene.tables("loads", {"force", "at", "moment", "azimuth", "polar", "size", "length"})) {
     if (!load.has("force") && !load.has("moment") && !load.has("polar")) {
       load.refuse_table("needs 'force' or 'moment', or a direction by 'polar' and 'azimuth'");
     }
-    sets.push_back(load.has("polar") ? read_direction_loads(load, area_radius) : read_force_loads(load));
-    total += load_count(sets.back());
+    tables.push_back(
+        {load.has("polar") ? read_direction_loads(load, area_radius) : read_force_loads(load), load.place()});
+    total += load_count(tables.back().set);
     if (total > most_loads) {
       load.refuse_table(fmt::format("that makes {:.3g} loads, but a scene may have at most {:.0e}", total, most_loads));
     }
   }
-  return Loads(std::move(sets));
+  return Loads(std::move(tables));
 }
 
 int read_steps(const TomlReader& surface, std::string_view key, int by_default) {
@@ -109,7 +110,13 @@ LimitScene read_limit_scene(const TomlDocument& document, const MaterialLibrary&
   Contact contact = read_contact(scene, materials);
   Loads loads = read_loads(scene, any_patch(contact).area_radius());
   if (contact.resistance) mu.reset();  // parts have their own
-  return {std::move(title), std::move(contact), mu, std::move(loads), surface};
+  return {std::move(title),
+          std::move(contact),
+          mu,
+          std::move(loads),
+          surface,
+          scene.place("contact"),
+          scene.place(mu ? "friction" : "contact")};
 }
 
 }  // namespace patchgrip::cli

@@ -10,6 +10,7 @@
 #include <patchgrip/cli/limit/loads.h>
 #include <patchgrip/cli/scene/contact_reader.h>
 #include <patchgrip/cli/scene/materials.h>
+#include <patchgrip/cli/scene/place.h>
 #include <patchgrip/cli/scene/toml_document.h>
 
 namespace patchgrip::cli {
@@ -31,6 +32,8 @@ struct LimitScene {
   std::optional<double> mu;  // at rest; without it only what must be held is told
   Loads loads;               // may be none
   SurfaceRequest surface;
+  Place contact_place;
+  Place friction_place;  // what limits friction: [friction], or [contact] with its parts
 };
 
 // Is it known how much friction there is?

@@ -43,17 +43,24 @@ double load_count(const LoadSet& set) noexcept {
   return count_of(loads.moment) * (polar == nullptr ? 1 : count_of(polar->size) * count_of(polar->angle));
 }
 
-Loads::Loads(std::vector<LoadSet> sets) : sets_(std::move(sets)), size_(0) {
-  for (const LoadSet& set : sets_) size_ += static_cast<std::size_t>(load_count(set));
+Loads::Loads(std::vector<LoadTable> tables) : tables_(std::move(tables)), size_(0) {
+  for (const LoadTable& table : tables_) size_ += static_cast<std::size_t>(load_count(table.set));
+}
+
+Loads::Entry Loads::entry(std::size_t i) const noexcept {
+  auto table = tables_.begin();
+  for (;; ++table) {
+    const auto count = static_cast<std::size_t>(load_count(table->set));
+    if (i < count) return {*table, i};
+    i -= count;
+  }
 }
 
 Wrench Loads::operator[](std::size_t i) const noexcept {
-  for (const LoadSet& set : sets_) {
-    const auto count = static_cast<std::size_t>(load_count(set));
-    if (i < count) return std::visit([i](const auto& loads) { return load_of(loads, i); }, set);
-    i -= count;
-  }
-  return {};
+  const auto [table, index] = entry(i);
+  return std::visit([index = index](const auto& loads) { return load_of(loads, index); }, table.set);
 }
+
+const Place& Loads::place(std::size_t i) const noexcept { return entry(i).table.place; }
 
 }  // namespace patchgrip::cli

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include <patchgrip/cli/scene/place.h>
 #include <patchgrip/cli/scene/sequence.h>
 #include <patchgrip/friction/twist.h>
 
@@ -45,15 +46,28 @@ using LoadSet = std::variant<ForceLoads, DirectionLoads>;
 // Number of loads in a set; a double, as the product may be beyond every integer.
 double load_count(const LoadSet& set) noexcept;
 
+// A set and where the scene asks for it.
+struct LoadTable {
+  LoadSet set;
+  Place place;
+};
+
 class Loads {
  public:
-  explicit Loads(std::vector<LoadSet> sets);
+  explicit Loads(std::vector<LoadTable> tables);
 
   std::size_t size() const noexcept { return size_; }
   friction::Wrench operator[](std::size_t i) const noexcept;
+  const Place& place(std::size_t i) const noexcept;
 
  private:
-  std::vector<LoadSet> sets_;
+  struct Entry {
+    const LoadTable& table;
+    std::size_t index;  // within it
+  };
+  Entry entry(std::size_t i) const noexcept;  // i < size()
+
+  std::vector<LoadTable> tables_;
   std::size_t size_;
 };
 

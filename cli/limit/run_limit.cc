@@ -6,7 +6,6 @@
 #include <cmath>
 #include <list>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -54,7 +53,7 @@ struct Written {
 };
 
 std::vector<Written> written(const LimitFiles& files, const LimitScene& scene) {
-  LimitAnswer answer = answer_limit(scene, files.scene);
+  LimitAnswer answer = answer_limit(scene);
   std::vector<Written> all{{files.output, to_json(answer, scene, files.scene)}};
   if (!files.table.empty()) {
     all.push_back({files.table, to_csv(load_rows(answer), head_of(files, scene, "what holds each load"))});
@@ -65,9 +64,9 @@ std::vector<Written> written(const LimitFiles& files, const LimitScene& scene) {
   const double capacity = capacity_of(scene).value;
   const friction::PressureMoments centre = patch.moments();
   const double arm = patch.dissipation(friction::twist_about({centre.x, centre.y}, 1));
-  if (!(arm > 0)) throw std::invalid_argument("contact: a point load bears no moment; its limit surface is a disc");
+  if (!(arm > 0)) scene.contact_place.refuse("a point load bears no moment; its limit surface is a disc");
   const bool known = has_friction(scene);
-  if (known && !(capacity > 0)) throw std::invalid_argument("friction: without friction the limit surface is a point");
+  if (known && !(capacity > 0)) scene.friction_place.refuse("without friction the limit surface is a point");
   const LimitMesh mesh = mesh_of(patch, known ? capacity : 1, scene.surface.length.value_or(arm),
                                  scene.surface.meridians, scene.surface.parallels);
   if (is_vtk(files)) {
@@ -95,15 +94,7 @@ std::vector<Written> written(const LimitFiles& files, const LimitScene& scene) {
 void run_limit(const LimitFiles& files, const MaterialLibrary& materials) {
   check_names(files);
   const LimitScene scene = read_limit_scene(TomlDocument::read(files.scene), materials);
-  const std::vector<Written> all = [&] {
-    try {
-      return written(files, scene);
-    } catch (const std::logic_error& error) {  // what the library refuses
-      throw SceneError(files.scene, 0, error.what());
-    } catch (const std::range_error& error) {
-      throw SceneError(files.scene, 0, error.what());
-    }
-  }();
+  const std::vector<Written> all = at(scene.contact_place, [&] { return written(files, scene); });
   std::list<OutputFile> outputs;
   for (const Written& one : all) outputs.emplace_back(one.path).write(one.content);
   for (OutputFile& output : outputs) output.commit();

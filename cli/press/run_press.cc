@@ -59,7 +59,7 @@ void run_press(const PressFiles& files, const MaterialLibrary& materials) {
     } catch (const SceneError&) {
       throw;
     } catch (const std::runtime_error& error) {
-      throw Unanswered(printable(files.scene, std::string::npos) + ": " + error.what());
+      throw Unanswered(load_place(scene), error.what());
     }
   }();
   std::optional<OutputFile> table;

@@ -31,12 +31,12 @@ bool is_control(std::string_view character) {
   return lead < 0x20 || lead == 0x7f || (lead == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0);
 }
 
+}  // namespace
+
 std::string located(std::string_view file, std::size_t line, std::string_view message) {
   const std::string name = printable(file, no_limit);
   return line == 0 ? fmt::format("{}: {}", name, message) : fmt::format("{}:{}: {}", name, line, message);
 }
-
-}  // namespace
 
 SceneError::SceneError(std::string_view file, std::size_t line, std::string_view message)
     : std::runtime_error(located(file, line, message)), line_(line) {}

@@ -22,6 +22,9 @@ class SceneError : public std::runtime_error {
   std::size_t line_;
 };
 
+// "file:line: message", without the line where it is 0.
+std::string located(std::string_view file, std::size_t line, std::string_view message);
+
 // Text that is safe on a terminal and in a comment line: control characters and broken UTF-8 become \xNN, and what is
 // longer than `limit` bytes is cut ("...").
 std::string printable(std::string_view text, std::size_t limit = 60);

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,8 @@
 namespace patchgrip::cli::test {
 
 inline const std::filesystem::path limit_folder = data_folder / "scenes" / "limit";
+
+inline std::vector<std::string> committed_limit_scenes() { return scenes_in(limit_folder); }
 
 inline const std::string good_limit = R"([contact]
 patch = "hertz_disc"

@@ -214,7 +214,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 
 PictureRequest request_of(const LimitScene& scene) {
   return {scene.title, scene.surface.azimuth, scene.surface.elevation, capacity_of(scene).value,
-          answer_limit(scene, "scene").loads};
+          answer_limit(scene).loads};
 }
 
 TEST(SurfacePicture, ShowsTheHalfThatFacesTheViewer) {

@@ -25,7 +25,7 @@ using test::limit_scene;
 using test::with;
 using ::testing::HasSubstr;
 
-std::vector<LoadAnswer> answers_of(const LimitScene& scene) { return answer_limit(scene, "scene.toml").loads; }
+std::vector<LoadAnswer> answers_of(const LimitScene& scene) { return answer_limit(scene).loads; }
 
 LoadAnswer answer_of(const std::string& text) {
   const auto answers = answers_of(limit_scene(text));
@@ -124,7 +124,7 @@ TEST(Limit, NoLoadHolds) {
 
 TEST(Limit, WithoutFrictionItTellsWhatIsNeeded) {
   const LimitScene scene = limit_scene(with(good_limit, "[friction]\nmu = 0.5\n", ""));
-  const LimitAnswer answer = answer_limit(scene, "scene.toml");
+  const LimitAnswer answer = answer_limit(scene);
   EXPECT_EQ(answer.loads.front().verdict, Verdict::undecided);
   const json told = json::parse(to_json(answer, scene, "scene.toml"));
   const json& load = told["loads"][0];
@@ -240,20 +240,11 @@ TEST(Limit, PolesAreWithinTheirErrors) {
 
 class CommittedLimit : public ::testing::TestWithParam<std::string> {};
 
-std::vector<std::string> committed_scenes() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(test::limit_folder)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 TEST_P(CommittedLimit, IsAnswered) {
   const LimitScene scene = read_limit_scene(TomlDocument::read(test::limit_folder / (GetParam() + ".toml")),
                                             MaterialLibrary({test::data_folder / "materials"}));
   EXPECT_FALSE(scene.title.empty());
-  const LimitAnswer answer = answer_limit(scene, GetParam());
+  const LimitAnswer answer = answer_limit(scene);
   ASSERT_GE(answer.loads.size(), 1U);
   for (const LoadAnswer& load : answer.loads) {
     EXPECT_TRUE(std::isfinite(load.gauge.value));
@@ -264,13 +255,13 @@ TEST_P(CommittedLimit, IsAnswered) {
   EXPECT_NO_THROW(to_json(answer, scene, GetParam()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Limit, CommittedLimit, ::testing::ValuesIn(committed_scenes()),
+INSTANTIATE_TEST_SUITE_P(Limit, CommittedLimit, ::testing::ValuesIn(test::committed_limit_scenes()),
                          [](const auto& given) { return given.param; });
 
 TEST(Limit, TheReadmeKnowsEveryScene) {
   std::ifstream readme(test::data_folder / "scenes" / "README.md");
   const std::string text{std::istreambuf_iterator<char>(readme), {}};
-  for (const std::string& name : committed_scenes()) EXPECT_THAT(text, HasSubstr("`" + name + "`"));
+  for (const std::string& name : test::committed_limit_scenes()) EXPECT_THAT(text, HasSubstr("`" + name + "`"));
 }
 
 }  // namespace

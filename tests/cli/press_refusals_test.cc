@@ -1,29 +1,19 @@
 // What press refuses: each time with file, line, key, value and what is allowed.
 #include <patchgrip/cli/press/run_press.h>
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <array>
-#include <exception>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <regex>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <patchgrip/cli/scene/scene_error.h>
-#include <patchgrip/cli/unanswered.h>
 
 #include <patchgrip/tests/support/cases.h>
 
+#include "far_off.h"
 #include "press_scenes.h"
 
 namespace patchgrip::cli {
@@ -127,57 +117,15 @@ std::vector<Bad> bad_scenes() {
 INSTANTIATE_TEST_SUITE_P(Press, BadPressScene, ::testing::ValuesIn(bad_scenes()),
                          [](const auto& given) { return given.param.name; });
 
-// --- every number of every scene, far off
-
-constexpr std::array<std::string_view, 12> far_off{"0",    "-1",   "0.5", "2",   "1e-60", "1e-30",
-                                                   "1e-9", "1e-3", "1e3", "1e9", "1e30",  "1e60"};
-
-// Calls `visit` with `text` once for each of its numbers and each of `values` in place of it. Counts stay, as they
-// say how long it takes.
-void for_each_number(const std::string& text, std::span<const std::string_view> values,
-                     const std::function<void(const std::string&)>& visit) {
-  static const std::regex number(R"((#[^\n]*|"[^"\n]*"|count = \d+|\bE_?\d|\bJ_0)|-?\b\d+(?:\.\d+)?(?:e-?\d+)?)");
-  for (std::sregex_iterator at(text.begin(), text.end(), number); at != std::sregex_iterator(); ++at) {
-    if ((*at)[1].matched) continue;
-    const auto begin = static_cast<std::size_t>(at->position());
-    const std::size_t end = begin + static_cast<std::size_t>(at->length());
-    for (const std::string_view value : values) visit(text.substr(0, begin) + std::string(value) + text.substr(end));
-  }
-}
-
 class FarOffScene : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(FarOffScene, IsAnsweredOrRefusedAtItsPlace) {
-  const fs::path folder = fs::path(::testing::TempDir()) / fmt::format("far_off_{}_{}", GetParam(), ::getpid());
-  fs::create_directories(folder);
-  for (const char* file : {"ellipsoid.off", "rough_surface.csv"}) {
-    fs::copy_file(press_folder / file, folder / file, fs::copy_options::overwrite_existing);
-  }
-  const std::string scene = (folder / "scene.toml").string();
   const MaterialLibrary materials({data_folder / "materials"});
-  std::ifstream in(press_folder / (GetParam() + ".toml"));
-  const std::string original{std::istreambuf_iterator<char>(in), {}};
-  int refused = 0, number = 0;
-  const int stride = std::max(1, 70 / testing::cases(10));
-  for_each_number(original, far_off, [&](const std::string& text) {
-    if (++number % stride != 0) return;
-    std::ofstream(scene) << text;
-    try {
-      run_press({scene, (folder / "answer.json").string(), (folder / "table.csv").string()}, materials);
-    } catch (const SceneError& error) {
-      ++refused;
-      EXPECT_GE(error.line(), 1U) << error.what();
-      const std::string message = error.what();
-      const std::string told = message.substr(std::min(message.size(), message.find(": ") + 2));
-      EXPECT_TRUE(std::regex_search(told, std::regex("^(contact|load|adhesion|profile|sweep|friction)\\b"))) << message;
-    } catch (const Unanswered& error) {
-      EXPECT_THAT(error.what(), HasSubstr(scene));
-    } catch (const std::exception& error) {
-      ADD_FAILURE() << error.what() << '\n' << text;
-    }
-  });
-  EXPECT_GT(refused, 0);
-  fs::remove_all(folder);
+  expect_far_off_numbers_answered_or_refused(
+      "press/" + GetParam(), text_of(press_folder / (GetParam() + ".toml")), std::max(1, 70 / testing::cases(10)),
+      "contact|load|adhesion|profile|sweep|friction", [&](const std::string& scene, const fs::path& folder) {
+        run_press({scene, (folder / "answer.json").string(), (folder / "table.csv").string()}, materials);
+      });
 }
 
 INSTANTIATE_TEST_SUITE_P(Press, FarOffScene, ::testing::ValuesIn(committed_scenes()),

@@ -31,14 +31,7 @@ inline PressScene committed(const std::string& name) {
                           MaterialLibrary({data_folder / "materials"}));
 }
 
-inline std::vector<std::string> committed_scenes() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(press_folder)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  }
-  std::ranges::sort(names);
-  return names;
-}
+inline std::vector<std::string> committed_scenes() { return scenes_in(press_folder); }
 
 // A stamp on soft rubber, E* = 200 kPa / 3.
 inline std::string stamp(const std::string& shape, const std::string& load = "normal_force = 0.1") {

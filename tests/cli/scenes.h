@@ -1,11 +1,13 @@
 // Scenes as text, for the tests of the program.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <patchgrip/cli/scene/materials.h>
 #include <patchgrip/cli/scene/scene.h>
@@ -13,6 +15,16 @@
 namespace patchgrip::cli::test {
 
 inline const std::filesystem::path data_folder = PATCHGRIP_DATA_DIR;
+
+// Names of the scenes in a folder.
+inline std::vector<std::string> scenes_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
 
 inline const std::string good_disc = R"([contact]
 patch = "hertz_disc"
