@@ -9,6 +9,7 @@
 
 #include <patchgrip/cli/scene/contact_reader.h>
 #include <patchgrip/cli/scene/friction_reader.h>
+#include <patchgrip/cli/scene/patch_reader.h>
 #include <patchgrip/cli/scene/profile_of.h>
 #include <patchgrip/cli/scene/scene.h>
 #include <patchgrip/cli/scene/sequence_reader.h>
@@ -22,7 +23,6 @@ constexpr Quantity adhesive_force_range = any_sign("a force in N, negative where
 constexpr Quantity approach_range = positive("an approach in m");
 constexpr Quantity adhesive_approach_range = any_sign("an approach in m");
 constexpr Quantity radius_range = positive("a radius of the contact in m");
-constexpr Quantity alpha_range{"the exponent alpha of (1 - (r/a)^alpha)^(1/alpha)", 0.5, 50};
 constexpr Quantity time_range = non_negative("a time in s");
 constexpr std::size_t most_points = 100'000;
 

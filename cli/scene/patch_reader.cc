@@ -21,7 +21,6 @@ using friction::AnyPatch;
 
 constexpr Quantity radius_range = positive("a radius in m");
 constexpr Quantity exponent_range{"the exponent n of (1 - r^2/a^2)^(n - 1/2)", -0.5, 20, false, false, true};
-constexpr Quantity alpha_range{"the exponent alpha of (1 - (r/a)^alpha)^(1/alpha)", 0.5, 50};
 
 template <class Disc>
 DescribedPatch read_disc(const TomlReader& table, std::string_view words) {

@@ -10,6 +10,9 @@
 
 namespace patchgrip::cli {
 
+// Of the pressure of Xydas and Kao.
+constexpr Quantity alpha_range{"the exponent alpha of (1 - (r/a)^alpha)^(1/alpha)", 0.5, 50};
+
 struct DescribedPatch {
   PatchVariant patch;
   std::string words;
