@@ -175,10 +175,10 @@ void against_naive(Bench& bench) {
     return bench.time(name, 441, twists, largest_difference(sums, grid, twists, 256),
                       [&](const Twist& v) { return sums.gradient(v); });
   };
-  const double two = corners("exact grid, SSE2", Lanes::two);
-  if (kernels::widest_lanes() != Lanes::two) corners("exact grid, AVX2", Lanes::four);
+  const double two = corners("exact grid (SSE2)", Lanes::two);
+  if (kernels::widest_lanes() != Lanes::two) corners("exact grid (AVX2)", Lanes::four);
   const double whole =
-      bench.time("exact grid, dispatched", 441, twists, 0, [&](const Twist& v) { return grid.gradient(v); });
+      bench.time("exact grid (dispatched)", 441, twists, 0, [&](const Twist& v) { return grid.gradient(v); });
   ratio("exact 21 x 21 grid, SSE2 / naive sum", 5, two / sum);
   ratio("exact 21 x 21 grid, dispatched / naive sum", 2.5, whole / sum);
 }
