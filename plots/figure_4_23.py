@@ -14,7 +14,7 @@ def main():
     draw(axes, surface, surface.gyration)
     axes.set_xlabel(r"$F_\xi / (\mu_H F_N)$", labelpad=-2)
     axes.set_ylabel(r"$F_\eta / (\mu_H F_N)$", labelpad=-2)
-    axes.set_zlabel(r"$M / (\mu_H F_N i)$", labelpad=-6)
+    axes.set_zlabel(r"$M / (\mu_H F_N i)$", labelpad=-4.5)
     colours = figure.add_subplot(grid[1, 1])
     slip_scale(figure, colours, cax=colours)
     colours.set_title("distance of the pole / radius of gyration $i$", fontsize=8)

@@ -108,4 +108,4 @@ def box(axes, reach, zoom):
         axis.set_pane_color((0.97, 0.97, 0.97, 1))
         axis.set_major_locator(MaxNLocator(4, symmetric=True, prune="both"))
     for name in ("x", "y", "z"):
-        axes.tick_params(axis=name, pad=-2, labelsize=7)
+        axes.tick_params(axis=name, pad=0 if name == "z" else -2, labelsize=7)

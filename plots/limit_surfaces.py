@@ -42,7 +42,7 @@ def main():
         figure.text(0.33 * k + 0.01, 0.96, name, fontweight="bold", fontsize=9)
         axes.set_xlabel(r"$F_x / R$", labelpad=-4)
         axes.set_ylabel(r"$F_y / R$", labelpad=-4)
-        axes.set_zlabel(r"$M / (R i)$", labelpad=-6)
+        axes.set_zlabel(r"$M / (R i)$", labelpad=-4.5)
     curve = figure.add_axes((0.075, 0.085, 0.52, 0.3))
     left_and_right(curve, compass)
     curve.set_title("d  L-shape", loc="left", fontweight="bold")
