@@ -18,13 +18,13 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include <patchgrip/cli/accuracy/accuracy.h>
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/limit/run_limit.h>
 #include <patchgrip/cli/output_file.h>
+#include <patchgrip/cli/output_names.h>
 #include <patchgrip/cli/press/run_press.h>
 #include <patchgrip/cli/scene/materials.h>
 #include <patchgrip/cli/scene/nearest_name.h>
@@ -99,33 +99,18 @@ cli::MaterialLibrary materials_of(const Arguments& arguments) {
   return cli::MaterialLibrary({arguments.materials});
 }
 
-void refuse_scene_as_output(const Arguments& arguments) {
-  for (const std::string& output : {arguments.output, arguments.table, arguments.surface, arguments.picture}) {
-    std::error_code no_such_output;
-    if (std::filesystem::equivalent(arguments.scene, output, no_such_output)) {
-      throw cli::OutputError(cli::printable(output, std::string::npos) + ": is the scene itself");
-    }
-  }
-}
-
-void refuse_same_outputs(const Arguments& arguments) {
-  const std::array<std::pair<std::string_view, std::string_view>, 4> outputs{{{"--output", arguments.output},
-                                                                              {"--table", arguments.table},
-                                                                              {"--surface", arguments.surface},
-                                                                              {"--picture", arguments.picture}}};
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (outputs[i].second.empty() || outputs[i].second != outputs[j].second) continue;
-      throw cli::OutputError(fmt::format("{} and {} name the same file", outputs[i].first, outputs[j].first));
-    }
-  }
+void refuse_clashes(const Arguments& arguments) {
+  const std::array<cli::NamedOutput, 4> outputs{{{"--output", arguments.output},
+                                                 {"--table", arguments.table},
+                                                 {"--surface", arguments.surface},
+                                                 {"--picture", arguments.picture}}};
+  cli::refuse_clashes(arguments.scene, outputs);
 }
 
 int run_limit(const Arguments& arguments) {
   const cli::InterruptGuard guard;
   const cli::MaterialLibrary materials = materials_of(arguments);
-  refuse_scene_as_output(arguments);
-  refuse_same_outputs(arguments);
+  refuse_clashes(arguments);
   cli::run_limit({arguments.scene, arguments.output, arguments.table, arguments.surface, arguments.picture}, materials);
   return done;
 }
@@ -133,8 +118,7 @@ int run_limit(const Arguments& arguments) {
 int run_press(const Arguments& arguments) {
   const cli::InterruptGuard guard;
   const cli::MaterialLibrary materials = materials_of(arguments);
-  refuse_scene_as_output(arguments);
-  refuse_same_outputs(arguments);
+  refuse_clashes(arguments);
   cli::run_press({arguments.scene, arguments.output, arguments.table}, materials);
   return done;
 }
@@ -142,7 +126,7 @@ int run_press(const Arguments& arguments) {
 int run_tabulate(const Arguments& arguments) {
   const cli::InterruptGuard guard;
   const cli::MaterialLibrary materials = materials_of(arguments);
-  refuse_scene_as_output(arguments);
+  refuse_clashes(arguments);
   const cli::Scene scene = cli::read_scene(cli::TomlDocument::read(arguments.scene), materials);
   cli::OutputFile out(arguments.output);
   cli::tabulate(scene, arguments.scene, out);
