@@ -5,6 +5,9 @@
 // with meridians of constant a and parallels of constant b; R = mu F_N, or 1 where friction is not given. b = pi/2 and
 // -pi/2 are pure rotations about the centroid, b = 0 the translations, whose poles lie at infinity.
 //
+// Cheap and exact to rounding, as no gauge is asked; friction/limit_surface/surface_mesh.h spreads its vertices evenly
+// over the loads instead.
+//
 // Units    wrench [N], [N], [N m] (per unit R: [1], [1], [m]); L [m].
 // Error    of each point as friction/patch.h: bounds on force and moment.
 #pragma once

@@ -1,4 +1,4 @@
-// Every number of every scene of limit, far off: the loads are answered, or the scene is refused with file, line and key.
+// Every number of every scene of limit, far off: it is answered, or refused with file, line and key.
 #include <patchgrip/cli/limit/run_limit.h>
 
 #include <algorithm>
