@@ -62,8 +62,8 @@ double common_mu(const TomlReader& scene, const TomlReader& part) {
 Contact read_parts(const TomlReader& scene, const TomlReader& contact) {
   contact.refuse_others({"parts"}, "not used beside 'parts', which have their own patches, places and forces");
   const auto parts = contact.tables(
-      "parts", {"patch", "radius", "exponent", "alpha", "semi_axes", "sides", "vertices", "holes", "pressures",
-                "points", "cell", "mesh", "unit", "centre", "angle", "model", "normal_force", "mu"});
+      "parts", {"patch", "radius", "exponent", "alpha", "semi_axes", "length", "sides", "vertices", "holes",
+                "pressures", "points", "cell", "mesh", "unit", "centre", "angle", "model", "normal_force", "mu"});
   if (parts.empty() || parts.size() > most_parts) {
     contact.refuse("parts", fmt::format("1 to {} parts, each under [[contact.parts]]", most_parts));
   }
@@ -93,10 +93,11 @@ Contact read_parts(const TomlReader& scene, const TomlReader& contact) {
 }  // namespace
 
 TomlReader contact_table(const TomlReader& scene) {
-  return scene.table("contact", {"patch",    "radius",         "exponent",        "alpha",  "semi_axes", "sides",
-                                 "vertices", "holes",          "pressures",       "points", "cell",      "mesh",
-                                 "unit",     "centre",         "angle",           "model",  "parts",     "normal_force",
-                                 "approach", "contact_radius", "contact_modulus", "bodies", "fingertip"});
+  return scene.table("contact",
+                     {"patch",        "radius",   "exponent",       "alpha",           "semi_axes", "length",
+                      "sides",        "vertices", "holes",          "pressures",       "points",    "cell",
+                      "mesh",         "unit",     "centre",         "angle",           "model",     "parts",
+                      "normal_force", "approach", "contact_radius", "contact_modulus", "bodies",    "fingertip"});
 }
 
 Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials) {
