@@ -34,9 +34,11 @@ std::vector<Result> results_of(const LoadAnswer& load, const LimitScene& scene) 
     results.push_back({"pole_x", slip.pole.x, slip.pole_error, "m"});
     results.push_back({"pole_y", slip.pole.y, slip.pole_error, "m"});
   }
-  results.push_back({"slip_vx", slip.twist.vx, slip.speed_error, "m/s"});
-  results.push_back({"slip_vy", slip.twist.vy, slip.speed_error, "m/s"});
-  results.push_back({"slip_w", slip.twist.w, slip.spin_error, "rad/s"});
+  if (load.starts_one_slip()) {
+    results.push_back({"slip_vx", slip.twist.vx, slip.speed_error, "m/s"});
+    results.push_back({"slip_vy", slip.twist.vy, slip.speed_error, "m/s"});
+    results.push_back({"slip_w", slip.twist.w, slip.spin_error, "rad/s"});
+  }
   results.push_back({"certificate_gap", (load.gauge.upper - load.gauge.lower) / load.gauge.value, 0, "1"});
   return results;
 }
@@ -55,12 +57,17 @@ std::string_view remark_of(GaugeStatus status) {
   }
 }
 
+std::string_view slip_in_words(const LoadAnswer& load) {
+  if (!load.starts_one_slip()) return "not determined";
+  return load.turns() ? "rotation" : "translation";
+}
+
 ordered_json to_entry(const LoadAnswer& load, const LimitScene& scene) {
   ordered_json entry;
   entry["load"] = to_object(
       {{"force_x", load.load.fx, 0, "N"}, {"force_y", load.load.fy, 0, "N"}, {"moment", load.load.m, 0, "N m"}});
   if (has_friction(scene)) entry["verdict"] = verdicts[static_cast<std::size_t>(load.verdict)];
-  if (load.loaded()) entry["slip"] = load.turns() ? "rotation" : "translation";
+  if (load.loaded()) entry["slip"] = slip_in_words(load);
   const std::string_view remark = remark_of(load.gauge.status);
   if (!remark.empty()) entry["remark"] = remark;
   entry["results"] = to_object(results_of(load, scene));
@@ -93,16 +100,16 @@ Table load_rows(const LimitAnswer& answer) {
   table.rows.reserve(answer.loads.size());
   for (const LoadAnswer& load : answer.loads) {
     const Slip& slip = load.slip;
-    const bool loaded = load.loaded();
+    const bool slips = load.starts_one_slip();
     const auto where = [](bool known, double value) { return known ? value : not_known; };
-    const bool turns = loaded && load.turns();
+    const bool turns = slips && load.turns();
     table.rows.push_back({load.load.fx, load.load.fy, load.load.m, load.gauge.value, load.gauge_error,
                           load.margin.value, load.margin.error,
                           where(load.verdict != Verdict::undecided, load.verdict == Verdict::holds ? 1 : 0),
                           load.stick_radius.value, load.stick_radius.error, where(turns, slip.pole.x),
-                          where(turns, slip.pole.y), where(turns, slip.pole_error), where(loaded, slip.twist.vx),
-                          where(loaded, slip.twist.vy), where(loaded, slip.twist.w), where(loaded, slip.speed_error),
-                          where(loaded, slip.spin_error), static_cast<double>(load.gauge.evaluations)});
+                          where(turns, slip.pole.y), where(turns, slip.pole_error), where(slips, slip.twist.vx),
+                          where(slips, slip.twist.vy), where(slips, slip.twist.w), where(slips, slip.speed_error),
+                          where(slips, slip.spin_error), static_cast<double>(load.gauge.evaluations)});
   }
   return table;
 }

@@ -96,7 +96,8 @@ Slip slip_of(const Gauge& gauge, const Wrench& load, const PatchView& patch, con
   const friction::Pole pole{-v.vy / v.w, v.vx / v.w};
   // dM = (e_z x dv + (c - M) dw) / w about the centroid c, |c - M| = speed / |w|.
   const double pole_error = spin > spin_error ? (moved + speed / spin * spin_error) / (spin - spin_error) : infinity;
-  return {v, moved + std::hypot(frame.x, frame.y) * spin_error, spin_error, pole, pole_error};
+  const double arm = std::hypot(frame.x, frame.y);
+  return {v, arm > 0 ? moved + arm * spin_error : moved, spin_error, pole, pole_error};
 }
 
 LoadAnswer answer_of(const Wrench& load, const Gauge& gauge, const Slip& slip, double area_radius,

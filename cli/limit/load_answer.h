@@ -47,6 +47,10 @@ struct LoadAnswer {
 
   bool loaded() const noexcept { return load.fx != 0 || load.fy != 0 || load.m != 0; }
   bool turns() const noexcept { return std::isfinite(slip.pole_error); }
+  // Not on a ridge, where the slip is one of several.
+  bool starts_one_slip() const noexcept {
+    return loaded() && std::isfinite(slip.speed_error) && std::isfinite(slip.spin_error);
+  }
 };
 
 // mu F_N of a contact [N], and the relative error of a gauge that its shape causes.
