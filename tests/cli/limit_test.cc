@@ -65,7 +65,8 @@ TEST(Limit, GaugesAndPolesOfTheReferenceTableAreWithinTheErrorsStated) {
 }
 
 TEST(Limit, StickRadiiOfTheReferenceTable) {
-  for (const json& entry : reference()["stick_radius"]) {
+  const json table = reference();
+  for (const json& entry : table["stick_radius"]) {
     for (const json& row : entry["rows"]) {
       // The table gives phi and theta to a few digits and rho for these numbers.
       const LoadAnswer answer = answer_of(test::contact_table_of(entry["contact"]) +

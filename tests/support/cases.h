@@ -17,6 +17,9 @@ inline int cases(int count) {
   return scale == nullptr ? count : std::max(1, static_cast<int>(count * std::atof(scale)));
 }
 
+// False where the environment asks for fewer: rare events, extremes and medians need them all.
+inline bool all_cases() { return cases(1000) >= 1000; }
+
 inline double uniform(std::mt19937_64& engine, double lo, double hi) {
   return std::uniform_real_distribution<double>(lo, hi)(engine);
 }

@@ -58,7 +58,7 @@ TEST(PointLoads, EveryLoadIsBracketed) {
       }
       facets += g.status == GaugeStatus::facet;
     }
-    EXPECT_GT(facets, 100);
+    if (all_cases()) EXPECT_GT(facets, 100);
   }
 }
 
