@@ -41,6 +41,7 @@ void PageMemory::touch(std::size_t bytes, Workers& workers) {
 
 void* PageMemory::do_allocate(std::size_t bytes, std::size_t wanted_alignment) {
   const std::size_t taken = spaced(bytes);
+  const std::lock_guard guard(lock_);
   const auto gap = std::ranges::find_if(gaps_, [&](const auto& free) { return free.second >= taken; });
   if (wanted_alignment > alignment || gap == gaps_.end()) {
     return std::pmr::new_delete_resource()->allocate(bytes, wanted_alignment);
@@ -57,6 +58,7 @@ void PageMemory::do_deallocate(void* p, std::size_t bytes, std::size_t wanted_al
     std::pmr::new_delete_resource()->deallocate(p, bytes, wanted_alignment);
     return;
   }
+  const std::lock_guard guard(lock_);
   const auto gap = gaps_.emplace(begin, spaced(bytes)).first;
   const auto join = [&](auto first, auto second) {
     if (first->first + first->second != second->first) return;

@@ -5,7 +5,9 @@
 // next one without another touch. Address space that nobody asks for is never touched. When the block is full, the heap
 // helps out.
 //
-// Domain   alignments up to that of a line of the cache. Allocation is for one thread at a time.
+// Threads may allocate at the same time, but not touch().
+//
+// Domain   alignments up to that of a line of the cache.
 // Throws   std::bad_alloc.
 #pragma once
 
@@ -13,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <memory_resource>
+#include <mutex>
 #include <new>
 
 #include <patchgrip/contact/half_space/workers.h>
@@ -43,6 +46,7 @@ class PageMemory : public std::pmr::memory_resource {
 
   std::size_t size_;
   std::unique_ptr<std::byte, Free> block_;
+  std::mutex lock_;
   std::map<std::byte*, std::size_t> gaps_;  // free bytes from each address on, never side by side
 };
 

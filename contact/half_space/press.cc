@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <iterator>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -186,13 +188,23 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   const Level& last = levels.back();
   const bool is_load = press.prescribed == Prescribed::load;
 
+  const auto resources_of = [&](const Level& level) {
+    return Resources{settings.threads_on(level.grid) > 1 ? workers : alone, memory};
+  };
+  const auto prepare = [&](std::size_t k) {
+    const Level& level = levels[k];
+    return std::make_unique<ContactSolver>(level.grid, surface, level.gap, resources_of(level));
+  };
+  std::future<std::unique_ptr<ContactSolver>> prepared;
+
   PressedHalfSpace result{};
   Measured coarse, fine;
   Array<double> pressure;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const Level& level = levels[k];
     const bool finest = k + 1 == levels.size();
-    const Resources resources{settings.threads_on(level.grid) > 1 ? workers : alone, memory};
+    const Resources resources = resources_of(level);
+    std::unique_ptr<ContactSolver> solver = prepared.valid() ? prepared.get() : prepare(k);
     const double value = is_load ? press.value / contact_modulus / level.grid.cell_area() : press.value - least;
 
     if (k > 0) {
@@ -206,13 +218,16 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     // The last but one is half of the error estimate.
     const double factor = finest ? 1 : k + 2 == levels.size() ? estimate_tolerance : coarse_tolerance;
     const double tolerance = factor * settings.tolerance;
-    const SolverStatus status = [&] {
-      ContactSolver solver(level.grid, surface, level.gap, resources);
-      if (k > 0 && start != nullptr) {
-        prefer_start(solver, press.prescribed, value, extended_start(last.grid, *start, resources), pressure);
-      }
-      return solver.solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);
-    }();
+    if (k > 0 && start != nullptr) {
+      prefer_start(*solver, press.prescribed, value, extended_start(last.grid, *start, resources), pressure);
+    }
+    // A grid too small for threads leaves them time to prepare the next one.
+    if (!finest && resources.workers.count() < workers.count()) {
+      prepared = std::async(std::launch::async, prepare, k + 1);
+    }
+    const SolverStatus status =
+        solver->solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);
+    solver.reset();
     result.residual = status.residual;
     result.iterations = status.iterations;
     result.all_iterations += status.iterations;

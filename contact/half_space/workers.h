@@ -6,7 +6,8 @@
 // let run is not waited for. Who takes a part is so left to chance, and it must not care: results then do not depend on
 // the number of threads. Nothing is allocated.
 //
-// Domain   1 <= threads <= 64; a part must not throw. run() is for one caller at a time.
+// Domain   1 <= threads <= 64; a part must not throw. run() is for one caller at a time if there are several
+//          threads.
 // Throws   std::invalid_argument outside the domain, std::system_error when a thread cannot be started.
 #pragma once
 
