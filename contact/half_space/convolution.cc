@@ -12,7 +12,7 @@ Convolution::Convolution(const Grid& grid, Surface surface, Resources resources)
       symbol_(product_.symbol_size(), resources.memory) {
   if (surface == Surface::free) {
     const Grid transposed{grid.ny, grid.nx, grid.dy, grid.dx};  // the symbol runs along y first
-    fill_love_table(transposed, product_.rows(), product_.columns(), symbol_.data(), resources.workers);
+    fill_love_table(transposed, product_.rows(), product_.columns(), symbol_.data(), resources.set_up);
     cosine_transform(product_.rows(), product_.columns(), 1 / product_.normalisation(), symbol_.data(), resources);
     return;
   }
@@ -21,7 +21,7 @@ Convolution::Convolution(const Grid& grid, Surface surface, Resources resources)
     const double q = 2 * std::numbers::pi * std::hypot(i / lx, j / ly);
     return q > 0 ? 2 / q : 0;
   };
-  product_.fill_symbol(displacement, symbol_.data(), resources.workers);
+  product_.fill_symbol(displacement, symbol_.data(), resources.set_up);
 }
 
 void Convolution::apply(const double* pressure, double* displacement, Workers& workers) {

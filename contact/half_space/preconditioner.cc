@@ -14,7 +14,7 @@ Preconditioner::Preconditioner(const Grid& grid, Surface surface, Resources reso
     const double qx = 2 * pi * i / lx, qy = 2 * pi * j / ly;
     return std::sqrt(qx * qx + qy * qy + floor * floor) / 2;
   };
-  product_.fill_symbol(pressure, symbol_.data(), resources.workers);
+  product_.fill_symbol(pressure, symbol_.data(), resources.set_up);
 }
 
 }  // namespace patchgrip::contact

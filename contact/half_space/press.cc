@@ -1,4 +1,5 @@
 #include <patchgrip/contact/half_space/coarse_to_fine.h>
+#include <patchgrip/contact/half_space/levels.h>
 #include <patchgrip/contact/half_space/measured.h>
 #include <patchgrip/contact/half_space/press.h>
 #include <patchgrip/contact/half_space/solver_kernels.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <future>
 #include <iterator>
 #include <memory>
@@ -17,54 +19,9 @@
 namespace patchgrip::contact {
 namespace {
 
-constexpr int coarsest_cells = 32;        // a side of the first grid has at least so many, if there is a choice
 constexpr double coarse_tolerance = 30;   // of the one asked for
 constexpr double estimate_tolerance = 4;  // the same, of the grid that the errors are estimated from
 constexpr double least_magnitude = 1e-100, most_magnitude = 1e100;  // squares neither overflow nor underflow
-
-struct Level {
-  Grid grid;
-  Array<double> gap;
-};
-
-// The grid given, and how often its sides can be halved; a free grid is extended where they cannot.
-int halvings(const Grid& grid) {
-  int count = 0;
-  for (int n = std::min(grid.nx, grid.ny) / 2; n >= coarsest_cells; n /= 2) ++count;
-  return std::max(count, 1);
-}
-
-int round_up(int n, int unit) { return (n + unit - 1) / unit * unit; }
-
-// The gap beyond the border is that of the border: no contact is allowed there anyway.
-Level extended(const Grid& grid, std::span<const double> gap, double least, int unit, Resources resources) {
-  const Grid large{round_up(grid.nx, unit), round_up(grid.ny, unit), grid.dx, grid.dy};
-  Array<double> field(large.size(), resources.memory);
-  resources.workers.each_row(large.ny, [&](int j, int) {
-    const double* from = &gap[grid.index(0, std::min(j, grid.ny - 1))];
-    double* to = &field[large.index(0, j)];
-    for (int i = 0; i < grid.nx; ++i) to[i] = from[i] - least;
-    std::fill(to + grid.nx, to + large.nx, to[grid.nx - 1]);
-  });
-  return {large, std::move(field)};
-}
-
-// From coarse to fine; gaps count from the least one.
-std::vector<Level> make_levels(const Grid& grid, Surface surface, std::span<const double> gap, double least,
-                               Resources resources) {
-  std::vector<Level> levels;
-  int count = halvings(grid);
-  if (surface == Surface::periodic) {
-    while (grid.nx % (1 << count) != 0 || grid.ny % (1 << count) != 0) --count;
-  }
-  levels.push_back(extended(grid, gap, least, 1 << count, resources));
-  for (; count > 0; --count) {
-    const Level& fine = levels.back();
-    levels.push_back({coarser(fine.grid), coarsen_gap(fine.grid, surface, fine.gap, resources)});
-  }
-  std::ranges::reverse(levels);
-  return levels;
-}
 
 Array<double> cold_start(const Level& level, Prescribed prescribed, double value, Resources resources) {
   Array<double> pressure(level.grid.size(), resources.memory);
@@ -188,14 +145,17 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   const Level& last = levels.back();
   const bool is_load = press.prescribed == Prescribed::load;
 
-  const auto resources_of = [&](const Level& level) {
-    return Resources{settings.threads_on(level.grid) > 1 ? workers : alone, memory};
+  const auto is_shared = [&](const Level& level) { return settings.threads_on(level.grid) > 1; };
+  const auto prepare = [&](const Level& level, Resources resources) {
+    return std::make_unique<ContactSolver>(level.grid, surface, level.gap, resources);
   };
-  const auto prepare = [&](std::size_t k) {
-    const Level& level = levels[k];
-    return std::make_unique<ContactSolver>(level.grid, surface, level.gap, resources_of(level));
-  };
+  // Grids too small for threads leave them time to prepare the first one that is not.
+  const auto first_shared = static_cast<std::size_t>(std::ranges::find_if(levels, is_shared) - levels.begin());
   std::future<std::unique_ptr<ContactSolver>> prepared;
+  if (first_shared > 0 && first_shared < levels.size()) {
+    prepared =
+        std::async(std::launch::async, prepare, std::cref(levels[first_shared]), Resources{workers, memory, alone});
+  }
 
   PressedHalfSpace result{};
   Measured coarse, fine;
@@ -203,8 +163,9 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const Level& level = levels[k];
     const bool finest = k + 1 == levels.size();
-    const Resources resources = resources_of(level);
-    std::unique_ptr<ContactSolver> solver = prepared.valid() ? prepared.get() : prepare(k);
+    const Resources resources{is_shared(level) ? workers : alone, memory};
+    std::unique_ptr<ContactSolver> solver =
+        k == first_shared && prepared.valid() ? prepared.get() : prepare(level, resources);
     const double value = is_load ? press.value / contact_modulus / level.grid.cell_area() : press.value - least;
 
     if (k > 0) {
@@ -220,10 +181,6 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     const double tolerance = factor * settings.tolerance;
     if (k > 0 && start != nullptr) {
       prefer_start(*solver, press.prescribed, value, extended_start(last.grid, *start, resources), pressure);
-    }
-    // A grid too small for threads leaves them time to prepare the next one.
-    if (!finest && resources.workers.count() < workers.count()) {
-      prepared = std::async(std::launch::async, prepare, k + 1);
     }
     const SolverStatus status =
         solver->solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);

@@ -1,4 +1,4 @@
-// What a solution works with: threads, and memory for its fields.
+// What a solution works with: threads, and memory for its fields; others may set it up while the threads are busy.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,7 @@ namespace patchgrip::contact {
 struct Resources {
   Workers& workers;
   std::pmr::memory_resource& memory = *std::pmr::get_default_resource();
+  Workers& set_up = workers;  // not more than workers
 };
 
 // Numbers without a value at first: the thread that works on them touches them first.

@@ -222,7 +222,7 @@ void cosine_transform(int columns, int rows, double factor, double* table, Resou
   const auto row = [&](int j) { return table + static_cast<std::size_t>(j) * static_cast<std::size_t>(columns); };
 
   const Plan plan_row(plan_line(columns));
-  resources.workers.each_row((rows + 1) / 2, [&](int pair, int thread) {
+  resources.set_up.each_row((rows + 1) / 2, [&](int pair, int thread) {
     double *one = row(2 * pair), *other = row(std::min(2 * pair + 1, rows - 1));  // the last row may have no other
     Complex* line = buffer(thread, 0);
     for (int i = 0; i < columns; ++i) line[i] = {one[i], other[i]};
@@ -234,7 +234,7 @@ void cosine_transform(int columns, int rows, double factor, double* table, Resou
   });
 
   const Plan plan_column(plan_line(rows));
-  resources.workers.run((columns + 2 * pairs - 1) / (2 * pairs), [&](int part, int thread) {
+  resources.set_up.run((columns + 2 * pairs - 1) / (2 * pairs), [&](int part, int thread) {
     const int first = part * 2 * pairs, count = std::min(pairs, (columns - first + 1) / 2);
     const int next = first + 2 * pairs, fetched = std::min(2 * pairs, columns - next);
     const auto other = [&](int i) { return std::min(i + 1, columns - 1); };
