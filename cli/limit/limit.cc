@@ -20,14 +20,19 @@ using friction::LimitSurface;
 
 constexpr double unit = 0x1p-53;
 
+LoadAnswer answer_with(const LimitSurface<AnyPatch>& surface, const std::optional<LimitSurface<AnyPatch>>& coarse,
+                       const Capacity& capacity, const friction::Wrench& load) {
+  return coarse ? answer_load(surface, *coarse, capacity, load) : answer_load(surface, capacity, load);
+}
+
 // What holds for all loads: how much force and moment at most.
 std::vector<Result> contact_results(const LimitScene& scene, const LimitSurface<AnyPatch>& surface,
-                                    const Capacity& capacity) {
+                                    const std::optional<LimitSurface<AnyPatch>>& coarse, const Capacity& capacity) {
   std::vector<Result> results{{"normal_force", scene.contact.normal_force, 0, "N"}};
   if (!has_friction(scene)) return results;
   if (scene.mu) results.push_back({"mu", *scene.mu, 0, "1"});
   results.push_back({"greatest_force", capacity.value, unit * capacity.value, "N"});
-  const LoadAnswer pure = answer_load(surface, capacity, {0, 0, 1});
+  const LoadAnswer pure = answer_with(surface, coarse, capacity, {0, 0, 1});
   if (pure.gauge.value > 0 && std::isfinite(pure.gauge.value)) {
     results.push_back({"greatest_moment_alone", pure.margin.value, pure.margin.error, "N m"});
   }
@@ -52,8 +57,9 @@ LimitAnswer answer_limit(const LimitScene& scene) {
   std::optional<LimitSurface<AnyPatch>> coarse;
   if (scene.contact.coarse) coarse.emplace(placed(*scene.contact.coarse, scene.contact.frame));
   const Capacity capacity = capacity_of(scene);
-  LimitAnswer answer{
-      at(scene.contact_place, [&] { return contact_results(scene, surface, capacity); }), {}, scene.contact.warnings};
+  LimitAnswer answer{at(scene.contact_place, [&] { return contact_results(scene, surface, coarse, capacity); }),
+                     {},
+                     scene.contact.warnings};
   const std::size_t count = scene.loads.size();
   constexpr int no_output = -1;  // nothing is written while it runs
   Progress progress("limit", count, Progress::wanted(no_output));
@@ -61,9 +67,7 @@ LimitAnswer answer_limit(const LimitScene& scene) {
   for (std::size_t i = 0; i < count; ++i) {
     InterruptGuard::check();
     const friction::Wrench load = scene.loads[i];
-    LoadAnswer held = at(scene.loads.place(i), [&] {
-      return coarse ? answer_load(surface, *coarse, capacity, load) : answer_load(surface, capacity, load);
-    });
+    LoadAnswer held = at(scene.loads.place(i), [&] { return answer_with(surface, coarse, capacity, load); });
     if (held.gauge.status == GaugeStatus::not_finite || !std::isfinite(held.gauge_error)) {
       scene.loads.place(i).refuse(fmt::format("the gauge of the load ({} N, {} N, {} N m) leaves the range of a double",
                                               load.fx, load.fy, load.m));
