@@ -108,6 +108,9 @@ LimitScene read_limit_scene(const TomlDocument& document, const MaterialLibrary&
   if (scene.has("friction")) mu = read_friction(scene).mu_static;
   const SurfaceRequest surface = read_surface(scene);
   Contact contact = read_contact(scene, materials);
+  if (!(any_patch(contact).moments().polar > 0)) {
+    scene.refuse("contact", "a single point, which holds no moment: give it a size, or add points that rub elsewhere");
+  }
   Loads loads = read_loads(scene, any_patch(contact).area_radius());
   if (contact.resistance) mu.reset();  // parts have their own
   return {std::move(title),

@@ -84,7 +84,7 @@ std::vector<Bad> bad_scenes() {
       {"PolarBeyondPi", load("polar = 4"), 8, "loads[0].polar = 4: an angle from the axis of moments"},
       {"TooManyLoads", load("polar = { from = 0, to = 1, count = 2000 }\nazimuth = { from = 0, to = 1, count = 2000 }"),
        7, "loads[0]: that makes 4e+06 loads, but a scene may have at most 1e+06"},
-      {"LengthOfAPoint", with(with(load("polar = 1"), "hertz_disc", "point"), "radius = 0.005\n", ""), 6,
+      {"LengthOfALine", with(with(load("polar = 1"), "hertz_disc", "line"), "radius", "length"), 7,
        "loads[0].length: missing: a length in m that makes a force of the moment"},
       {"FewMeridians", good_limit + "[surface]\nmeridians = 3\n", 11,
        "surface.meridians = 3: a whole number from 4 to 4000"},
