@@ -70,6 +70,7 @@ Contact read_parts(const TomlReader& scene, const TomlReader& contact) {
   const bool own_mu = std::ranges::any_of(parts, [](const TomlReader& part) { return part.has("mu"); });
   std::vector<Several::Part> all;
   std::vector<std::string> notes;
+  bool rubs = false;
   for (const TomlReader& table : parts) {
     DescribedPatch patch = read_patch(table);
     const friction::PlanarFrame frame = read_frame(table);
@@ -78,15 +79,20 @@ Contact read_parts(const TomlReader& scene, const TomlReader& contact) {
     if (own_mu) {
       mu = table.has("mu") ? table.number("mu", non_negative("a coefficient of friction")) : common_mu(scene, table);
     }
+    rubs = rubs || mu > 0;
     all.push_back({visit_patch(patch.patch, frame, [](const auto& p) { return friction::AnyPatch(p); }), force, mu});
     const std::string place = in_words(frame);
     notes.push_back(fmt::format("part {}: {}{}{}, normal force {} N{}", notes.size() + 1, patch.words,
                                 place.empty() ? "" : ", ", place, force, own_mu ? fmt::format(", mu = {}", mu) : ""));
   }
+  if (!rubs) contact.refuse("parts", "parts of which at least one has mu > 0");
   const auto several = made(contact, "parts", [&] { return Several::of_parts(std::move(all)); });
   Contact together{AnyPatch(several), {}, several.normal_force()};
   if (own_mu) together.resistance = several.resistance();
   together.notes = std::move(notes);
+  if (scene.has("friction") && std::ranges::all_of(parts, [](const TomlReader& part) { return part.has("mu"); })) {
+    together.warnings.emplace_back("[friction] is not used: every part has its own 'mu'");
+  }
   return together;
 }
 

@@ -129,7 +129,12 @@ std::vector<Bad> bad_scenes() {
        with(parts, "mu = 0.4\n", "") + "[friction]\nmu_static = 1\nmu_kinetic = 0.5\nstribeck_velocity = 1\n", 14,
        "friction: parts with their own 'mu' rub by Coulomb's law"},
       {"NoFrictionAtAll", with(with(parts, "mu = 0.5", "mu = 0"), "mu = 0.4", "mu = 0"), 1,
-       "contact.parts: resistance = 0 is not allowed"},
+       "contact.parts: parts of which at least one has mu > 0"},
+      {"SinglePoint", with(good_limit, "\"hertz_disc\"\nradius = 0.005", "\"point\""), 1,
+       "a single point, which holds no moment"},
+      {"OnePointThatRubs",
+       with(with(with(parts, "uniform_disc", "point"), "radius = 0.005\n", ""), "mu = 0.4", "mu = 0"), 1,
+       "a single point, which holds no moment"},
       {"NegativeMu", with(parts, "mu = 0.4", "mu = -0.4"), 12, "contact.parts[1].mu = -0.4: a coefficient of friction"},
       {"PartsNotTables", "[contact]\nparts = [1]\n", 2, "contact.parts = [1]: tables"},
   };

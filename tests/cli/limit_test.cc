@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <patchgrip/cli/scene/place.h>
 #include <patchgrip/friction/hertz_disc.h>
 
 #include "limit_scenes.h"
@@ -218,6 +219,29 @@ TEST(Limit, TheErrorOfARadiusCounts) {
   // A pure moment needs the whole of it.
   const LoadAnswer turn = answer_load(small, {.value = 1, .shape_error = delta}, {0, 0, 1e-3});
   EXPECT_GE(turn.gauge.value - large.gauge({0, 0, 1e-3}).value, 0.99 * turn.gauge_error);
+}
+
+// The greatest moment is the margin of any load that is a moment alone.
+TEST(Limit, TheGreatestMomentAloneHasTheErrorOfTheGrid) {
+  LimitScene scene = read_limit_scene(TomlDocument::read(test::limit_folder / "wavy_cap.toml"),
+                                      MaterialLibrary({test::data_folder / "materials"}));
+  ASSERT_TRUE(scene.contact.coarse);
+  const friction::LimitSurface fine{any_patch(scene.contact)};
+  const friction::LimitSurface coarse{placed(*scene.contact.coarse, scene.contact.frame)};
+  const LoadAnswer turn = answer_load(fine, coarse, capacity_of(scene), {0, 0, 1});
+  const auto results = answer_limit(scene).contact;
+  const auto told = std::ranges::find(results, "greatest_moment_alone", &Result::name);
+  ASSERT_NE(told, results.end());
+  EXPECT_EQ(told->value, turn.margin.value);
+  EXPECT_EQ(told->error, turn.margin.error);
+  EXPECT_GT(turn.margin.error, 1e-4 * turn.margin.value);
+}
+
+TEST(Limit, AFrictionThatNoPartTakesIsTold) {
+  const std::string part = "[[contact.parts]]\npatch = \"uniform_disc\"\nradius = 1e-3\nnormal_force = 1\nmu = 0.1\n";
+  EXPECT_TRUE(limit_scene(part).contact.warnings.empty());
+  EXPECT_THAT(limit_scene(part + "[friction]\nmu = 0.9\n").contact.warnings,
+              ::testing::ElementsAre(HasSubstr("[friction] is not used")));
 }
 
 TEST(Limit, PolesAreWithinTheirErrors) {
