@@ -7,6 +7,7 @@
 
 #include <boost/math/special_functions/beta.hpp>
 
+#include <patchgrip/contact/require.h>
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/hertz_ellipse.h>
@@ -33,6 +34,7 @@ BoundedWrench of_translation(const Twist& u, double centroid_x, double centroid_
   const double speed = std::hypot(u.vx, u.vy);
   if (speed == 0) return {};
   const double size = std::exp(-speed * speed);
+  if (size == 0) return {};
   const double fx = size * u.vx / speed, fy = size * u.vy / speed;
   const double error = unit * size * (4 + 4 * speed * speed);
   return {{fx, fy, centroid_x * fy - centroid_y * fx}, error, error * (std::fabs(centroid_x) + std::fabs(centroid_y))};
@@ -97,10 +99,17 @@ void add(BoundedIntegrals<5>& sum, const BoundedIntegrals<5>& part) noexcept {
 
 }  // namespace
 
+PowerEllipse PowerEllipse::of_semi_axes(double a, double b, double n) {
+  contact::require_positive("a", a);
+  contact::require_positive("b", b);
+  contact::require_in("n", n, -0.5, 20);
+  return {a, b, n};
+}
+
 BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept {
-  const auto [a, b, n] = zone;
+  const double a = zone.a(), b = zone.b();
   if (u.w == 0) return of_translation(u, 0, 0);
-  const Projection q(n);
+  const Projection q(zone.n());
   const double w = std::fabs(u.w), length = std::max(a, b);
   const double speed = std::hypot(u.vx, u.vy), ex = speed > 0 ? u.vx / speed : 1, ey = speed > 0 ? u.vy / speed : 0;
   // n at the angle phi from u.
@@ -149,31 +158,31 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
 }
 
 BoundedWrench stribeck_excess(const FlatPunchDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 0}, u);
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), 0), u);
 }
 
 BoundedWrench stribeck_excess(const HertzDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 1}, u);
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), 1), u);
 }
 
 BoundedWrench stribeck_excess(const HertzEllipse& ellipse, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{ellipse.a(), ellipse.b(), 1}, u);
+  return stribeck_excess(PowerEllipse::of_semi_axes(ellipse.a(), ellipse.b(), 1), u);
 }
 
 BoundedWrench stribeck_excess(const PowerDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), disc.exponent()}, u);
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), disc.exponent()), u);
 }
 
 BoundedWrench stribeck_excess(const Ring& ring, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{ring.radius(), ring.radius(), -0.5}, u);
+  return stribeck_excess(PowerEllipse::of_semi_axes(ring.radius(), ring.radius(), -0.5), u);
 }
 
 BoundedWrench stribeck_excess(const SeedHertzDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 1}, u);
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), 1), u);
 }
 
 BoundedWrench stribeck_excess(const UniformDisc& disc, const Twist& u) noexcept {
-  return stribeck_excess(PowerEllipse{disc.radius(), disc.radius(), 0.5}, u);
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), 0.5), u);
 }
 
 BoundedWrench stribeck_excess(const PointLoad&, const Twist& u) noexcept { return of_translation(u, 0, 0); }

@@ -6,6 +6,7 @@
 //
 // Units    u [1], [1], [1/m]; force [1], moment [m].
 // Error    carried: an estimate, mostly some 1e-15 of the force and of force times size (local_stribeck.h).
+// Throws   PowerEllipse::of_semi_axes std::invalid_argument outside its domain; nothing else.
 #pragma once
 
 #include <patchgrip/friction/patch.h>
@@ -27,9 +28,19 @@ template <Patch P>
 class Placed;
 
 // A pressure ~ (1 - x^2/a^2 - y^2/b^2)^(n - 1/2) on an ellipse, n >= -1/2 (seed 4.13).
-struct PowerEllipse {
-  double a, b;  // semi-axes along x and y [m]
-  double n;     // [1]
+class PowerEllipse {
+ public:
+  // Semi-axes along x and y [m]; n in [-1/2, 20], that of a ring to the largest of power_disc.h.
+  static PowerEllipse of_semi_axes(double a, double b, double n);
+
+  double a() const noexcept { return a_; }
+  double b() const noexcept { return b_; }
+  double n() const noexcept { return n_; }
+
+ private:
+  PowerEllipse(double a, double b, double n) noexcept : a_(a), b_(b), n_(n) {}
+
+  double a_, b_, n_;
 };
 
 BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -73,8 +74,8 @@ TEST(LocalStribeck, OfAUniformEllipseIsWithinItsError) {
   for (int i = cases(16); i > 0; --i) {
     const double a = log_uniform(engine, 1e-3, 10), b = i % 2 ? a : a * log_uniform(engine, 0.1, 10);
     const Twist u = random_twist(engine, a, b);
-    expect_within_error(stribeck_excess(PowerEllipse{a, b, 0.5}, u), uniform_ellipse_excess(a, b, u), std::max(a, b),
-                        1e-14);
+    expect_within_error(stribeck_excess(PowerEllipse::of_semi_axes(a, b, 0.5), u), uniform_ellipse_excess(a, b, u),
+                        std::max(a, b), 1e-14);
   }
 }
 
@@ -101,7 +102,8 @@ TEST(LocalStribeck, OfOtherPressuresIsWithinItsError) {
     for (const double n : {0.0, 1.0}) {
       const double b = i % 2 ? 0.4 : 1;
       const Twist u = random_twist(engine, 1, b);
-      expect_within_error(stribeck_excess(PowerEllipse{1, b, n}, u), power_ellipse_excess(1, b, n, u), 1, 1e-14);
+      expect_within_error(stribeck_excess(PowerEllipse::of_semi_axes(1, b, n), u), power_ellipse_excess(1, b, n, u), 1,
+                          1e-14);
     }
   }
 }
@@ -202,10 +204,24 @@ TEST(LocalStribeck, OfAPolygonIsContinuousWhereTheWayChanges) {
 }
 
 TEST(LocalStribeck, TurnsWithThePatch) {
-  const PowerEllipse lying{2, 1, 1}, standing{1, 2, 1};
+  const PowerEllipse lying = PowerEllipse::of_semi_axes(2, 1, 1), standing = PowerEllipse::of_semi_axes(1, 2, 1);
   for (const Twist& u : {Twist{0.3, -0.1, 1}, Twist{2, 1, -0.5}, Twist{0, 0, 1}}) {
     const Wrench g = stribeck_excess(lying, u).value, h = stribeck_excess(standing, {-u.vy, u.vx, u.w}).value;
     expect_near({-g.fy, g.fx, g.m}, h, 2e-15, 2e-15);
+  }
+}
+
+TEST(LocalStribeck, RefusesEllipsesBeyondTheDomain) {
+  const double nan = std::nan(""), bad[][3] = {{0, 1, 1},     {1, -1, 1}, {nan, 1, 1},  {1, INFINITY, 1},
+                                               {1, 1, -0.51}, {1, 1, -1}, {1, 1, 20.1}, {1, 1, nan}};
+  for (const auto& [a, b, n] : bad) EXPECT_THROW(PowerEllipse::of_semi_axes(a, b, n), std::invalid_argument);
+}
+
+TEST(LocalStribeck, OfAFastTranslationIsNothing) {
+  for (const double speed : {30.0, 1e155, 1e300}) {
+    const BoundedWrench none = stribeck_excess(PointLoad{}, {speed, -speed, 0});
+    EXPECT_TRUE(none.value.fx == 0 && none.value.fy == 0 && none.value.m == 0);
+    EXPECT_TRUE(none.force_error == 0 && none.moment_error == 0);
   }
 }
 
