@@ -17,7 +17,28 @@
 
 namespace patchgrip::cli {
 
-// `patch` is the contact's patch in the contact frame.
+// What the wrench `t` in the motion v owes to the contact: to a shape that follows from bodies, and to the grid that its
+// pressure is computed on. `patch` is the contact's patch in the contact frame.
+template <friction::Patch P>
+WrenchError error_of_contact(const Contact& contact, const friction::Law& law, double normal_force, const P& patch,
+                             const friction::Twist& v, const friction::Wrench& t) {
+  WrenchError error;
+  const friction::Pole centre{contact.frame.x, contact.frame.y};
+  if (v.w != 0 && contact.radius_error > 0) {
+    const auto disc = std::visit([&](const auto& d) { return DiscMotion::of(d, centre, v); }, contact.patch);
+    error = error_of_radius(law, normal_force, disc, contact.radius_error);
+  } else if (v.w != 0 && contact.shape_error > 0) {
+    error = error_of_shape(law, normal_force, ShapeMotion::of(patch, centre, contact.extent, v), contact.shape_error);
+  }
+  if (contact.coarse) {
+    const friction::Wrench g =
+        friction::friction_wrench(law, normal_force, placed(*contact.coarse, contact.frame), v).value;
+    error.force += std::hypot(t.fx - g.fx, t.fy - g.fy);
+    error.moment += std::fabs(t.m - g.m);
+  }
+  return error;
+}
+
 template <friction::Patch P>
 friction::BoundedWrench friction_row(const Contact& contact, const friction::Law& law, const P& patch,
                                      const Motion& motion) {
@@ -33,20 +54,7 @@ friction::BoundedWrench friction_row(const Contact& contact, const friction::Law
   if (turns && motion.angular_speed != 1) {
     add(error_of_twist(law, contact.normal_force, moments, gradient.value, motion.twist));
   }
-  const friction::Pole centre{contact.frame.x, contact.frame.y};
-  if (turns && contact.radius_error > 0) {
-    const auto disc = std::visit([&](const auto& d) { return DiscMotion::of(d, centre, motion.twist); }, contact.patch);
-    add(error_of_radius(law, contact.normal_force, disc, contact.radius_error));
-  } else if (turns && contact.shape_error > 0) {
-    add(error_of_shape(law, contact.normal_force, ShapeMotion::of(patch, centre, contact.extent, motion.twist),
-                       contact.shape_error));
-  }
-  if (contact.coarse) {
-    const friction::Wrench g =
-        friction::friction_wrench(law, contact.normal_force, placed(*contact.coarse, contact.frame), motion.twist)
-            .value;
-    add({std::hypot(row.value.fx - g.fx, row.value.fy - g.fy), std::fabs(row.value.m - g.m)});
-  }
+  add(error_of_contact(contact, law, contact.normal_force, patch, motion.twist, row.value));
   if (contact.resistance) {  // its product with the mean coefficient is rounded
     constexpr double unit = 0x1p-53;
     add({unit * std::hypot(row.value.fx, row.value.fy), unit * std::fabs(row.value.m)});

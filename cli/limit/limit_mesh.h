@@ -9,15 +9,18 @@
 // over the loads instead.
 //
 // Units    wrench [N], [N], [N m] (per unit R: [1], [1], [m]); L [m].
-// Error    of each point as friction/patch.h: bounds on force and moment.
+// Error    of force and moment at the slip of each point: that of grad D (friction/patch.h), of R, of a shape that
+//          follows from bodies (input_error.h), and the difference from half as many cells where the pressure is
+//          computed on a grid. Bounds, but for the last, which is an estimate.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
+#include <patchgrip/cli/scene/contact_reader.h>
+#include <patchgrip/contact/estimate.h>
 #include <patchgrip/friction/patch.h>
 #include <patchgrip/friction/twist.h>
 
@@ -59,31 +62,7 @@ struct LimitMesh {
   friction::PressureMoments moments;  // of the pressure
 };
 
-template <friction::Patch P>
-LimitMesh mesh_of(const P& patch, double resistance, double length, int meridians, int parallels) {
-  LimitMesh mesh{{}, meridians, parallels, length, patch.moments()};
-  const auto add = [&](double along, double across, double spin) {
-    const double w = spin / length;
-    // The velocity of the frame's origin; that of the centroid is (along, across).
-    const friction::Twist v{along + w * mesh.moments.y, across - w * mesh.moments.x, w};
-    friction::BoundedWrench t = patch.bounded_gradient(v);
-    const double unit = 0x1p-53 * resistance;
-    t.force_error = resistance * t.force_error + unit * std::hypot(t.value.fx, t.value.fy);
-    t.moment_error = resistance * t.moment_error + unit * std::fabs(t.value.m);
-    t.value = {resistance * t.value.fx, resistance * t.value.fy, resistance * t.value.m};
-    mesh.points.push_back({t, v});
-  };
-  add(0, 0, 1);
-  for (int i = 1; i < parallels; ++i) {
-    const double b = std::numbers::pi * (0.5 - static_cast<double>(i) / parallels);
-    const double spin = 2 * i == parallels ? 0 : std::sin(b);
-    for (int j = 0; j < meridians; ++j) {
-      const double a = 2 * std::numbers::pi * j / meridians;
-      add(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), spin);
-    }
-  }
-  add(0, 0, -1);
-  return mesh;
-}
+LimitMesh mesh_of(const Contact& contact, const contact::Estimate& resistance, double length, int meridians,
+                  int parallels);
 
 }  // namespace patchgrip::cli

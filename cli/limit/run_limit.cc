@@ -61,14 +61,15 @@ std::vector<Written> written(const LimitFiles& files, const LimitScene& scene) {
   if (files.surface.empty() && files.picture.empty()) return all;
 
   const AnyPatch patch = any_patch(scene.contact);
-  const double capacity = capacity_of(scene).value;
+  const Capacity capacity = capacity_of(scene);
   const friction::PressureMoments centre = patch.moments();
   const double arm = patch.dissipation(friction::twist_about({centre.x, centre.y}, 1));
-  if (!(arm > 0)) scene.contact_place.refuse("a point load bears no moment; its limit surface is a disc");
   const bool known = has_friction(scene);
-  if (known && !(capacity > 0)) scene.friction_place.refuse("without friction the limit surface is a point");
-  const LimitMesh mesh = mesh_of(patch, known ? capacity : 1, scene.surface.length.value_or(arm),
-                                 scene.surface.meridians, scene.surface.parallels);
+  if (known && !(capacity.value > 0)) scene.friction_place.refuse("without friction the limit surface is a point");
+  const contact::Estimate resistance =
+      known ? contact::Estimate{capacity.value, capacity.relative_error * capacity.value} : contact::Estimate{1, 0};
+  const LimitMesh mesh = mesh_of(scene.contact, resistance, scene.surface.length.value_or(arm), scene.surface.meridians,
+                                 scene.surface.parallels);
   if (is_vtk(files)) {
     all.push_back({files.surface, to_vtk(mesh, fmt::format("patchgrip {} limit surface: fx, fy, m / L {} with L = {} m",
                                                            version, known ? "[N]" : "per mu F_N", mesh.length))});
@@ -81,7 +82,7 @@ std::vector<Written> written(const LimitFiles& files, const LimitScene& scene) {
   }
   if (!files.picture.empty()) {
     PictureRequest request{scene.title, scene.surface.azimuth, scene.surface.elevation, std::nullopt, {}};
-    if (known) request.capacity = capacity;
+    if (known) request.capacity = capacity.value;
     answer.loads.resize(std::min(answer.loads.size(), most_loads_drawn));
     request.loads = std::move(answer.loads);
     all.push_back({files.picture, picture_of(mesh, request)});

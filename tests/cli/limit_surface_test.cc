@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <regex>
@@ -14,6 +15,8 @@
 #include <patchgrip/cli/limit/limit_mesh.h>
 #include <patchgrip/cli/limit/surface_files.h>
 #include <patchgrip/cli/limit/surface_picture.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 
 #include "limit_scenes.h"
 
@@ -40,8 +43,8 @@ struct Meshed {
 };
 
 Meshed meshed(const std::string& text, double resistance = 2) {
-  const AnyPatch patch = any_patch(test::limit_scene(text).contact);
-  return {patch, mesh_of(patch, resistance, 0.008, 24, 16)};
+  const Contact contact = test::limit_scene(text).contact;
+  return {any_patch(contact), mesh_of(contact, {resistance, 0}, 0.008, 24, 16)};
 }
 
 TEST(LimitMesh, PointsLieOnTheLimitSurface) {
@@ -100,6 +103,72 @@ TEST(LimitMesh, CellsRunCounterClockwiseSeenFromOutside) {
           a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
       EXPECT_GT(volume, 0) << i << ' ' << j;
     }
+  }
+}
+
+// The largest |given - off| / error of forces and of moments, over the points and their slips.
+std::pair<double, double> shares_of_error(const LimitMesh& given, const AnyPatch& off, double resistance) {
+  double force = 0, moment = 0;
+  for (const auto& [t, v] : given.points) {
+    const Wrench g = off.gradient(v);
+    force = std::max(force, std::hypot(t.value.fx - resistance * g.fx, t.value.fy - resistance * g.fy) / t.force_error);
+    moment = std::max(moment, std::fabs(t.value.m - resistance * g.m) / t.moment_error);
+  }
+  return {force, moment};
+}
+
+// On half as many cells every point lies within its error, and not far within.
+TEST(LimitMesh, ErrorsHoldThatOfTheGrid) {
+  const LimitScene scene = read_limit_scene(TomlDocument::read(test::limit_folder / "wavy_cap.toml"),
+                                            MaterialLibrary({test::data_folder / "materials"}));
+  ASSERT_TRUE(scene.contact.coarse);
+  const LimitMesh mesh = mesh_of(scene.contact, {0.8, 0}, 1e-3, 24, 16);
+  const auto [force, moment] = shares_of_error(mesh, placed(*scene.contact.coarse, scene.contact.frame), 0.8);
+  EXPECT_TRUE(force > 0.99 && force <= 1 + 1e-10) << force;
+  EXPECT_TRUE(moment > 0.99 && moment <= 1 + 1e-10) << moment;
+  // Pure rotation bears the greatest moment alone, whose error is told beside the loads.
+  const auto results = answer_limit(scene).contact;
+  const auto told = std::ranges::find(results, "greatest_moment_alone", &Result::name);
+  ASSERT_NE(told, results.end());
+  const auto& top = mesh.points.front().wrench;
+  EXPECT_NEAR(top.value.m, told->value, 1e-3 * told->value);
+  EXPECT_NEAR(top.moment_error, told->error, 0.1 * told->error);
+}
+
+// Of bodies, with errors of the shape far above rounding: what is off by as much lies within them.
+TEST(LimitMesh, ErrorsHoldThatOfTheShape) {
+  constexpr double delta = 1e-6;
+  Contact disc = test::limit_scene(test::with(test::good_bodies, "[poles]\nlist = [[0.001, 0.002]]\n", "")).contact;
+  const double radius = std::get<friction::HertzDisc>(disc.patch).radius();
+  disc.radius_error = disc.shape_error = delta;
+  const LimitMesh round = mesh_of(disc, {2, 0}, radius, 24, 16);
+  const auto wider = shares_of_error(round, AnyPatch(friction::HertzDisc::of_radius(radius * (1 + delta))), 2);
+  EXPECT_TRUE(wider.first > 0.99 && wider.first <= 1.001) << wider.first;
+  EXPECT_TRUE(wider.second > 0.99 && wider.second <= 1.001) << wider.second;
+  for (const auto& [t, v] : round.points) {
+    if (v.w == 0) {
+      EXPECT_LE(t.force_error, 1e-14);
+    }
+  }
+
+  const auto ellipse = [](double scale) {
+    return AnyPatch(friction::HertzEllipse::of_semi_axes(3e-3 * scale, 1e-3 * scale));
+  };
+  Contact oval{ellipse(1), {}, 1};
+  oval.shape_error = delta;
+  oval.extent = 3e-3;
+  const auto larger = shares_of_error(mesh_of(oval, {2, 0}, 1e-3, 24, 16), ellipse(1 + delta), 2);
+  EXPECT_TRUE(larger.first > 0.05 && larger.first <= 1.001) << larger.first;
+  EXPECT_TRUE(larger.second > 0.05 && larger.second <= 1.001) << larger.second;
+}
+
+TEST(LimitMesh, ErrorsHoldThatOfTheResistance) {
+  const Contact contact = test::limit_scene(l_shape).contact;
+  const LimitMesh exact = mesh_of(contact, {2, 0}, 0.008, 24, 16), near = mesh_of(contact, {2, 2e-6}, 0.008, 24, 16);
+  for (std::size_t i = 0; i < exact.points.size(); ++i) {
+    const auto &a = exact.points[i].wrench, &b = near.points[i].wrench;
+    EXPECT_NEAR(b.force_error - a.force_error, 1e-6 * std::hypot(a.value.fx, a.value.fy), 1e-14);
+    EXPECT_NEAR(b.moment_error - a.moment_error, 1e-6 * std::fabs(a.value.m), 1e-14);
   }
 }
 
