@@ -1,7 +1,7 @@
 // One row of a friction table: the wrench of a scene's contact in one motion, and the bound of its error.
 //
-// The bound is about the exact result for the numbers of the scene as doubles: rounding of the twist, and of a
-// radius that follows from bodies, is part of it.
+// The bound is about the exact result for the numbers of the scene as doubles: rounding of the twist, of a
+// radius that follows from bodies, and of the sum of forces of parts is part of it.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace patchgrip::cli {
 
-// What the wrench `t` in the motion v owes to the contact: to a shape that follows from bodies, and to the grid that its
-// pressure is computed on. `patch` is the contact's patch in the contact frame.
+// What the wrench `t` in the motion v owes to the contact: to a shape that follows from bodies, and to the grid that
+// its pressure is computed on. `patch` is the contact's patch in the contact frame.
 template <friction::Patch P>
 WrenchError error_of_contact(const Contact& contact, const friction::Law& law, double normal_force, const P& patch,
                              const friction::Twist& v, const friction::Wrench& t) {
@@ -55,10 +55,9 @@ friction::BoundedWrench friction_row(const Contact& contact, const friction::Law
     add(error_of_twist(law, contact.normal_force, moments, gradient.value, motion.twist));
   }
   add(error_of_contact(contact, law, contact.normal_force, patch, motion.twist, row.value));
-  if (contact.resistance) {  // its product with the mean coefficient is rounded
-    constexpr double unit = 0x1p-53;
-    add({unit * std::hypot(row.value.fx, row.value.fy), unit * std::fabs(row.value.m)});
-  }
+  // The product of a resistance with the mean coefficient is rounded too.
+  const double relative = contact.sum_error + (contact.resistance ? 0x1p-53 : 0);
+  add({relative * std::hypot(row.value.fx, row.value.fy), relative * std::fabs(row.value.m)});
   return row;
 }
 
@@ -98,6 +97,7 @@ friction::BoundedWrench local_friction_row(const Contact& contact, const frictio
       const auto coarse = local_friction_wrench(law, force, placed(*contact.coarse, contact.frame), v).value;
       add({std::hypot(row.value.fx - coarse.fx, row.value.fy - coarse.fy), std::fabs(row.value.m - coarse.m)});
     }
+    add({contact.sum_error * std::hypot(row.value.fx, row.value.fy), contact.sum_error * std::fabs(row.value.m)});
     return row;
   }
 }

@@ -28,10 +28,11 @@ LoadAnswer answer_with(const LimitSurface<AnyPatch>& surface, const std::optiona
 // What holds for all loads: how much force and moment at most.
 std::vector<Result> contact_results(const LimitScene& scene, const LimitSurface<AnyPatch>& surface,
                                     const std::optional<LimitSurface<AnyPatch>>& coarse, const Capacity& capacity) {
-  std::vector<Result> results{{"normal_force", scene.contact.normal_force, 0, "N"}};
+  std::vector<Result> results{
+      {"normal_force", scene.contact.normal_force, scene.contact.sum_error * scene.contact.normal_force, "N"}};
   if (!has_friction(scene)) return results;
   if (scene.mu) results.push_back({"mu", *scene.mu, 0, "1"});
-  results.push_back({"greatest_force", capacity.value, unit * capacity.value, "N"});
+  results.push_back({"greatest_force", capacity.value, capacity.relative_error * capacity.value, "N"});
   const LoadAnswer pure = answer_with(surface, coarse, capacity, {0, 0, 1});
   if (pure.gauge.value > 0 && std::isfinite(pure.gauge.value)) {
     results.push_back({"greatest_moment_alone", pure.margin.value, pure.margin.error, "N m"});
@@ -45,10 +46,11 @@ Capacity capacity_of(const LimitScene& scene) {
   Capacity capacity{.shape_error = scene.contact.shape_error};
   if (scene.contact.resistance) {
     capacity.value = *scene.contact.resistance;
+    capacity.relative_error = scene.contact.sum_error;
   } else if (scene.mu) {
     capacity.value = *scene.mu * scene.contact.normal_force;
+    capacity.relative_error = unit + scene.contact.sum_error;
   }
-  capacity.relative_error = unit;
   return capacity;
 }
 

@@ -23,7 +23,8 @@ std::vector<Result> results_of(const LoadAnswer& load, const LimitScene& scene) 
   if (!load.loaded()) return results;
   if (!scene.contact.resistance) {
     const double mu = load.gauge.value / scene.contact.normal_force;
-    results.push_back({"needed_mu", mu, load.gauge_error / scene.contact.normal_force + 0x1p-53 * mu, "1"});
+    results.push_back({"needed_mu", mu,
+                       load.gauge_error / scene.contact.normal_force + (0x1p-53 + scene.contact.sum_error) * mu, "1"});
   }
   if (std::isfinite(load.margin.value)) results.push_back({"margin", load.margin.value, load.margin.error, "1"});
   if (std::isfinite(load.stick_radius.value)) {

@@ -53,7 +53,7 @@ struct LoadAnswer {
   }
 };
 
-// mu F_N of a contact [N], and the relative error of a gauge that its shape causes.
+// mu F_N of a contact [N], its own relative error, and that of a gauge that its shape causes.
 struct Capacity {
   double value = std::numeric_limits<double>::quiet_NaN();  // not-a-number where friction is not given
   double relative_error = 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <patchgrip/cli/rubbed_bodies.h>
@@ -18,6 +19,12 @@ using friction::Several;
 
 constexpr Quantity force_range = positive("a force in N");
 constexpr std::size_t most_parts = 10'000;
+
+// Relative, of the sum of n forces F_i >= 0, and of n products mu_i F_i: each product and each addition is rounded in
+// extended precision, n roundings at most on the way of a term, and the sum once to a double (several.cc).
+constexpr double error_of_sum(std::size_t n) {
+  return 0x1p-53 + static_cast<double>(n) * static_cast<double>(std::numeric_limits<long double>::epsilon() / 2);
+}
 
 Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials) {
   contact.refuse_others({"bodies", "normal_force", "centre", "angle", "model"},
@@ -88,6 +95,7 @@ Contact read_parts(const TomlReader& scene, const TomlReader& contact) {
   if (!rubs) contact.refuse("parts", "parts of which at least one has mu > 0");
   const auto several = made(contact, "parts", [&] { return Several::of_parts(std::move(all)); });
   Contact together{AnyPatch(several), {}, several.normal_force()};
+  together.sum_error = error_of_sum(parts.size());
   if (own_mu) together.resistance = several.resistance();
   together.notes = std::move(notes);
   if (scene.has("friction") && std::ranges::all_of(parts, [](const TomlReader& part) { return part.has("mu"); })) {

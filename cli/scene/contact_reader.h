@@ -19,6 +19,7 @@ struct Contact {
   PatchVariant patch;
   friction::PlanarFrame frame;         // where the patch has its own axes
   double normal_force;                 // F_N [N], > 0
+  double sum_error = 0;                // relative, of normal_force and resistance where they are sums over parts
   double radius_error = 0;             // relative, of a disc whose radius follows from bodies; else 0
   double shape_error = 0;              // of any patch that follows from bodies (rubbed_bodies.h)
   double extent = 0;                   // of that patch: its greatest distance from the centre [m]

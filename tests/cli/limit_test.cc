@@ -8,11 +8,14 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
 #include <patchgrip/cli/scene/place.h>
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/tests/support/cases.h>
+#include <patchgrip/tests/support/exact.h>
 
 #include "limit_scenes.h"
 
@@ -200,6 +203,44 @@ TEST(Limit, APartWithoutItsOwnCoefficientTakesTheCommonOne) {
   const std::string part = "[[contact.parts]]\npatch = \"uniform_disc\"\nradius = 1\nnormal_force = 2\n";
   const LimitScene scene = limit_scene(part + "mu = 0.1\n" + part + "[friction]\nmu = 0.4\n");
   EXPECT_DOUBLE_EQ(scene.contact.resistance.value(), 2 * 0.1 + 2 * 0.4);
+}
+
+// Sums of forces and of products mu_i F_i against 50 digits; in the second scene the parts share one coefficient.
+TEST(Limit, SumsOverPartsAreWithinTheirErrors) {
+  using patchgrip::testing::Exact;
+  std::mt19937_64 engine(20061127);
+  int rounded = 0;
+  for (const int parts : {2, 3, 10, 100, 1000}) {
+    std::string own, common;
+    Exact force = 0, resistance = 0;
+    for (int i = 0; i < parts; ++i) {
+      const double F = patchgrip::testing::log_uniform(engine, 1e-3, 1e3),
+                   mu = patchgrip::testing::uniform(engine, 0, 2);
+      const std::string part = fmt::format(
+          "[[contact.parts]]\npatch = \"ring\"\nradius = 1e-3\ncentre = [{}, 0]\nnormal_force = {}\n", 0.01 * i, F);
+      own += part + fmt::format("mu = {}\n", mu);
+      common += part;
+      force += F;
+      resistance += Exact(mu) * F;
+    }
+    common += "[friction]\nmu = 0.7\n";
+    const auto check = [&](const std::vector<Result>& results, const char* name, const Exact& exact) {
+      const auto told = std::ranges::find(results, name, &Result::name);
+      ASSERT_NE(told, results.end());
+      const double off = static_cast<double>(abs(told->value - exact));
+      EXPECT_LE(off, told->error) << name;
+      EXPECT_LE(told->error, 2.6 * 0x1p-53 * told->value) << name;
+      if (off > 0.2 * told->error) ++rounded;
+    };
+    const auto by_parts = answer_limit(limit_scene(own)).contact,
+               by_friction = answer_limit(limit_scene(common)).contact;
+    check(by_parts, "normal_force", force);
+    check(by_parts, "greatest_force", resistance);
+    check(by_friction, "normal_force", force);
+    check(by_friction, "greatest_force", Exact(0.7) * force);
+  }
+  EXPECT_GE(rounded, 5);
+  EXPECT_EQ(answer_limit(limit_scene(good_limit)).contact.front().error, 0);  // a number of the scene
 }
 
 // What the radius owes to the bodies moves the gauge by no more than is told.
