@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include <patchgrip/contact/endpoint_quadrature.h>
 #include <patchgrip/friction/kernels/edge_sum.h>
 #include <patchgrip/friction/patch.h>
 
@@ -24,14 +23,56 @@ struct LocalExcess {
   friend LocalExcess operator*(Long k, const LocalExcess& a) { return {k * a.fx, k * a.fy, k * a.m}; }
 };
 
-// f(x - lo, hi - x), each component by itself.
+// Tanh-sinh quadrature down to steps that see a singularity 1e-16 beside an end.
+class LongNodes {
+ public:
+  static constexpr int finest = 512, coarsest = 4, reach = 5;
+
+  struct Node {
+    Long from_lo, to_hi, weight;  // on [0, 1]
+  };
+
+  static const std::vector<Node>& shared() {
+    static const std::vector<Node> nodes = [] {
+      std::vector<Node> all;
+      for (int i = -reach * finest; i <= reach * finest; ++i) {
+        const Long t = Long(i) / finest, s = std::numbers::pi_v<Long> / 2 * std::sinh(t);
+        const Long x = 1 / (1 + std::exp(-2 * s)), y = 1 / (1 + std::exp(2 * s));
+        all.push_back({x, y, std::numbers::pi_v<Long> * std::cosh(t) * x * y});
+      }
+      return all;
+    }();
+    return nodes;
+  }
+};
+
+// f(x - lo, hi - x), until two results agree in 17 digits: what is narrow beside an end is small, and seen late.
 template <class F>
 LocalExcess integral_of(const F& f, Long lo, Long hi) {
-  const auto of = [&](Long LocalExcess::*part) {
-    return contact::integrate_to_both_ends<Long>([&](Long from_lo, Long to_hi) { return f(from_lo, to_hi).*part; }, lo,
-                                                 hi);
+  constexpr Long negligible = 1e-25L;
+  const Long length = hi - lo;
+  if (!(length > 0)) return {};
+  const auto& nodes = LongNodes::shared();
+  const auto size = [](const LocalExcess& g) { return std::fabs(g.fx) + std::fabs(g.fy) + std::fabs(g.m); };
+  LocalExcess sum;
+  Long absolute = 0;
+  const auto add = [&](std::size_t first, std::size_t every) {
+    for (std::size_t i = first; i < nodes.size(); i += every) {
+      const auto& [from_lo, to_hi, weight] = nodes[i];
+      if (weight < negligible) continue;
+      const LocalExcess g = weight * f(length * from_lo, length * to_hi);
+      sum = sum + g;
+      absolute += size(g);
+    }
   };
-  return {of(&LocalExcess::fx), of(&LocalExcess::fy), of(&LocalExcess::m)};
+  std::size_t every = LongNodes::finest / LongNodes::coarsest;
+  add(0, every);
+  for (; every > 1; every /= 2) {
+    const LocalExcess before = sum;
+    add(every / 2, every);
+    if (size(sum + -2 * before) <= 1e-17L * absolute) break;
+  }
+  return length * (static_cast<Long>(every) / 2) / LongNodes::finest * sum;
 }
 
 inline LocalExcess excess_at(const Twist& u, Long x, Long y) {
@@ -71,6 +112,12 @@ inline LocalExcess ring_excess(Long a, Long b, const Twist& u) {
   const Long pi = std::numbers::pi_v<Long>;
   const Long pole = std::atan2(Long(u.vx) / b, -Long(u.vy) / a) + (u.w < 0 ? pi : 0);
   const auto at = [&](Long angle) { return excess_at(u, a * std::cos(angle), b * std::sin(angle)); };
+  if (a == b) {  // both halves are alike
+    const LocalExcess half = 2 / (2 * pi) * integral_of([&](Long from, Long) { return at(pole + from); }, 0, pi);
+    const Long speed = std::hypot(Long(u.vx), Long(u.vy)), ex = speed > 0 ? u.vx / speed : 1;
+    const Long ey = speed > 0 ? u.vy / speed : 0, along = half.fx * ex + half.fy * ey;
+    return {along * ex, along * ey, half.m};
+  }
   return 1 / (2 * pi) *
          (integral_of([&](Long from, Long) { return at(pole + from); }, 0, pi) +
           integral_of([&](Long from, Long) { return at(pole - from); }, 0, pi));
@@ -80,6 +127,17 @@ inline LocalExcess ring_excess(Long a, Long b, const Twist& u) {
 inline LocalExcess power_ellipse_excess(Long a, Long b, Long n, const Twist& u) {
   if (u.w == 0) return excess_at(u, 0, 0);  // the same everywhere
   const Long level = std::hypot(u.vy / a, u.vx / b) / std::fabs(Long(u.w));
+  if (n < 0.5L) {  // in y = (1 - x^2)^(n + 1/2), 1 - y = z: the pressure's rim is smooth there
+    const auto in_y = [&](Long y, Long z) {
+      const Long x = std::sqrt(-std::expm1((y < 0.5L ? std::log(y) : std::log1p(-z)) / (n + 0.5L)));
+      return ring_excess(x * a, x * b, u);
+    };
+    if (level >= 1) return integral_of(in_y, 0, 1);
+    const Long y = std::exp((n + 0.5L) * std::log1p(-level * level)),
+               z = -std::expm1((n + 0.5L) * std::log1p(-level * level));
+    return integral_of([&](Long from, Long to) { return in_y(from, z + to); }, 0, y) +
+           integral_of([&](Long from, Long to) { return in_y(y + from, to); }, 0, z);
+  }
   const auto line = [&](Long x, Long one_minus_x) {
     return (2 * n + 1) * x * std::pow(one_minus_x * (1 + x), n - 0.5L) * ring_excess(x * a, x * b, u);
   };

@@ -19,7 +19,7 @@
 #include <patchgrip/friction/several.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/friction/xydas_kao_disc.h>
-#include <patchgrip/tests/friction/local_reference.h>
+#include <patchgrip/tests/friction/local_motions.h>
 #include <patchgrip/tests/friction/shapes.h>
 #include <patchgrip/tests/support/cases.h>
 
@@ -36,91 +36,6 @@ const Law stribeck = Law::stribeck(0.9, 0.5, 0.3);
 void expect_near(const Wrench& a, const Wrench& b, double force, double moment) {
   EXPECT_LE(std::hypot(a.fx - b.fx, a.fy - b.fy), force);
   EXPECT_LE(std::fabs(a.m - b.m), moment);
-}
-
-// Poles inside, next to the rim, outside, far and at infinity, about an ellipse; speeds from slow to fast.
-Twist random_twist(std::mt19937_64& engine, double a, double b) {
-  const double phi = uniform(engine, -pi, pi), c = a * std::cos(phi), s = b * std::sin(phi);
-  const double spin = (uniform(engine, 0, 1) < 0.5 ? 1 : -1) * log_uniform(engine, 1e-2, 30) / std::hypot(a, b);
-  switch (std::uniform_int_distribution<int>(0, 5)(engine)) {
-    case 0:
-      return {spin * c, spin * s, 0};
-    case 1: {
-      const double x = 1 + (spin > 0 ? 1 : -1) * log_uniform(engine, 1e-16, 0.1);
-      return twist_about({x * c, x * s}, spin);
-    }
-    case 2: {
-      const double x = log_uniform(engine, 1, 1e4);
-      return twist_about({x * c, x * s}, spin / x);
-    }
-    default: {
-      const double x = uniform(engine, 0, 2);
-      return twist_about({x * c, x * s}, spin);
-    }
-  }
-}
-
-// |found - exact| within the error that is stated, and that error of use. The reference is good to some 1e-18.
-void expect_within_error(const BoundedWrench& found, const LocalExcess& exact, double length, double of_use) {
-  constexpr double reference = 1e-17;
-  EXPECT_LE(std::hypot(found.value.fx - exact.fx, found.value.fy - exact.fy), found.force_error + reference);
-  EXPECT_LE(std::fabs(found.value.m - exact.m), found.moment_error + reference * length);
-  EXPECT_LE(found.force_error, of_use);
-  EXPECT_LE(found.moment_error, of_use * length);
-}
-
-TEST(LocalStribeck, OfAUniformEllipseIsWithinItsError) {
-  std::mt19937_64 engine(20060301);
-  for (int i = cases(16); i > 0; --i) {
-    const double a = log_uniform(engine, 1e-3, 10), b = i % 2 ? a : a * log_uniform(engine, 0.1, 10);
-    const Twist u = random_twist(engine, a, b);
-    expect_within_error(stribeck_excess(PowerEllipse::of_semi_axes(a, b, 0.5), u), uniform_ellipse_excess(a, b, u),
-                        std::max(a, b), 1e-14);
-  }
-}
-
-// Down to needles: slow against v_S it is grad D, which is known to some units.
-TEST(LocalStribeck, OfASlowSlenderEllipseIsTheGradient) {
-  std::mt19937_64 engine(20060307);
-  for (int i = cases(10); i > 0; --i) {
-    const double aspect = log_uniform(engine, 10, 1e6), a = i % 2 ? 1 : 1 / aspect, b = i % 2 ? 1 / aspect : 1;
-    const HertzEllipse patch = HertzEllipse::of_semi_axes(a, b);
-    const Twist v = random_twist(engine, a, b), u{1e-10 * v.vx, 1e-10 * v.vy, 1e-10 * v.w};
-    const BoundedWrench found = stribeck_excess(patch, u), exact = patch.bounded_gradient(u);
-    const double speed2 = 1e-20 * std::pow(std::hypot(v.vx, v.vy) + std::fabs(v.w), 2);
-    expect_near(found.value, exact.value, found.force_error + exact.force_error + speed2,
-                found.moment_error + exact.moment_error + speed2);
-    EXPECT_LE(found.force_error, 1e-12);
-    EXPECT_LE(found.moment_error, 1e-12);
-  }
-}
-
-// Every other pressure of the family is a stack of uniform ellipses.
-TEST(LocalStribeck, OfOtherPressuresIsWithinItsError) {
-  std::mt19937_64 engine(20060302);
-  for (int i = cases(1); i > 0; --i) {
-    for (const double n : {0.0, 1.0}) {
-      const double b = i % 2 ? 0.4 : 1;
-      const Twist u = random_twist(engine, 1, b);
-      expect_within_error(stribeck_excess(PowerEllipse::of_semi_axes(1, b, n), u), power_ellipse_excess(1, b, n, u), 1,
-                          1e-14);
-    }
-  }
-}
-
-TEST(LocalStribeck, OfAPolygonIsWithinItsError) {
-  std::mt19937_64 engine(20060303);
-  for (const Shape& shape : {triangle, l_shape, slender_10}) {
-    const Polygon patch = shape.patch();
-    const PressureMoments s = patch.moments();
-    double radius = 0;
-    for (const Point& p : shape.outer) radius = std::max(radius, std::hypot(p.x - s.x, p.y - s.y));
-    for (int i = cases(6); i > 0; --i) {
-      const Twist c = random_twist(engine, radius, radius), u{c.vx + c.w * s.y, c.vy - c.w * s.x, c.w};
-      expect_within_error(stribeck_excess(patch, u), polygon_excess(shape.rings(), s, u), radius + std::hypot(s.x, s.y),
-                          1e-12);
-    }
-  }
 }
 
 TEST(LocalStribeck, InATranslationIsStribeckInTheMean) {

@@ -1,0 +1,110 @@
+// Stribeck's excess is within the error that it carries, against other ways to the same number.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/local_stribeck.h>
+#include <patchgrip/friction/power_disc.h>
+#include <patchgrip/friction/ring.h>
+#include <patchgrip/tests/friction/local_motions.h>
+#include <patchgrip/tests/friction/local_reference.h>
+#include <patchgrip/tests/friction/shapes.h>
+#include <patchgrip/tests/support/cases.h>
+
+namespace patchgrip::friction {
+namespace {
+
+using patchgrip::testing::cases;
+using patchgrip::testing::log_uniform;
+using patchgrip::testing::uniform;
+
+// |found - exact| within the error that is stated, and that error of use. The reference is good to some 1e-18.
+void expect_within_error(const BoundedWrench& found, const LocalExcess& exact, double length, double of_use) {
+  constexpr double reference = 1e-17;
+  EXPECT_LE(std::hypot(found.value.fx - exact.fx, found.value.fy - exact.fy), found.force_error + reference);
+  EXPECT_LE(std::fabs(found.value.m - exact.m), found.moment_error + reference * length);
+  EXPECT_LE(found.force_error, of_use);
+  EXPECT_LE(found.moment_error, of_use * length);
+}
+
+TEST(LocalStribeckError, OfAUniformEllipseIsWithinItsError) {
+  std::mt19937_64 engine(20060301);
+  for (int i = cases(60); i > 0; --i) {
+    const double a = log_uniform(engine, 1e-3, 10), b = i % 2 ? a : a * log_uniform(engine, 0.1, 10);
+    const Twist u = random_twist(engine, a, b);
+    expect_within_error(stribeck_excess(PowerEllipse::of_semi_axes(a, b, 0.5), u), uniform_ellipse_excess(a, b, u),
+                        std::max(a, b), 1e-14);
+  }
+}
+
+// Down to needles: slow against v_S it is grad D, which is known to some units.
+TEST(LocalStribeckError, OfASlowSlenderEllipseIsTheGradient) {
+  std::mt19937_64 engine(20060307);
+  for (int i = cases(10); i > 0; --i) {
+    const double aspect = log_uniform(engine, 10, 1e6), a = i % 2 ? 1 : 1 / aspect, b = i % 2 ? 1 / aspect : 1;
+    const HertzEllipse patch = HertzEllipse::of_semi_axes(a, b);
+    const Twist v = random_twist(engine, a, b), u{1e-10 * v.vx, 1e-10 * v.vy, 1e-10 * v.w};
+    const BoundedWrench found = stribeck_excess(patch, u), exact = patch.bounded_gradient(u);
+    const double speed2 = 1e-20 * std::pow(std::hypot(v.vx, v.vy) + std::fabs(v.w), 2);
+    EXPECT_LE(std::hypot(found.value.fx - exact.value.fx, found.value.fy - exact.value.fy),
+              found.force_error + exact.force_error + speed2);
+    EXPECT_LE(std::fabs(found.value.m - exact.value.m), found.moment_error + exact.moment_error + speed2);
+    EXPECT_LE(found.force_error, 1e-12);
+    EXPECT_LE(found.moment_error, 1e-12);
+  }
+}
+
+// Infinite pressure at the rim, of which the projection is infinite too.
+TEST(LocalStribeckError, OfARingIsWithinItsError) {
+  std::mt19937_64 engine(20060308);
+  for (int i = cases(100); i > 0; --i) {
+    const double a = log_uniform(engine, 1e-3, 10);
+    const Twist u = random_twist(engine, a, a);
+    expect_within_error(stribeck_excess(Ring::of_radius(a), u), ring_excess(a, a, u), a, 1e-14);
+  }
+}
+
+// Next to a ring, to a flat punch, and up to the largest exponent.
+TEST(LocalStribeckError, OfAPowerDiscIsWithinItsError) {
+  std::mt19937_64 engine(20060309);
+  for (int i = cases(16); i > 0; --i) {
+    const double n = i % 3 == 0   ? -0.5 + log_uniform(engine, 1e-6, 0.1)
+                     : i % 3 == 1 ? uniform(engine, -0.4, 1.5)
+                                  : log_uniform(engine, 1.5, 20);
+    const double a = log_uniform(engine, 1e-3, 10);
+    const Twist u = random_twist(engine, a, a);
+    expect_within_error(stribeck_excess(PowerDisc::of_radius(a, n), u), power_ellipse_excess(a, a, n, u), a, 1e-14);
+  }
+}
+
+TEST(LocalStribeckError, OfAPowerEllipseIsWithinItsError) {
+  std::mt19937_64 engine(20060302);
+  for (int i = cases(16); i > 0; --i) {
+    const double n = i % 4 == 0 ? 0 : i % 4 == 1 ? 1 : uniform(engine, -0.45, 4);
+    const double a = log_uniform(engine, 1e-3, 10), b = a * log_uniform(engine, 0.1, 10);
+    const Twist u = random_twist(engine, a, b);
+    expect_within_error(stribeck_excess(PowerEllipse::of_semi_axes(a, b, n), u), power_ellipse_excess(a, b, n, u),
+                        std::max(a, b), 1e-14);
+  }
+}
+
+TEST(LocalStribeckError, OfAPolygonIsWithinItsError) {
+  std::mt19937_64 engine(20060303);
+  for (const Shape& shape : {triangle, l_shape, slender_10}) {
+    const Polygon patch = shape.patch();
+    const PressureMoments s = patch.moments();
+    double radius = 0;
+    for (const Point& p : shape.outer) radius = std::max(radius, std::hypot(p.x - s.x, p.y - s.y));
+    for (int i = cases(20); i > 0; --i) {
+      const Twist c = random_twist(engine, radius, radius), u{c.vx + c.w * s.y, c.vy - c.w * s.x, c.w};
+      expect_within_error(stribeck_excess(patch, u), polygon_excess(shape.rings(), s, u), radius + std::hypot(s.x, s.y),
+                          1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace patchgrip::friction
