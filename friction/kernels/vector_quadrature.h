@@ -6,7 +6,7 @@
 // The numbers are to be of one unit: errors are judged against the largest of them.
 //
 // Domain   at an end no worse than the inverse of a root.
-// Error    an estimate: the step is halved, which nearly doubles the digits, until two results agree in ten of them;
+// Error    an estimate: the step is halved, which nearly doubles the digits, until two results agree in twelve of them;
 //          then their difference to the power 3/2, and 8 units of the integral of |f|. Where they never do, 16 times
 //          the difference. tests/friction/vector_quadrature_test.cc.
 #pragma once
@@ -90,7 +90,7 @@ BoundedIntegrals<N> integrate(const Integrand& f, double lo, double hi) {
       difference[j] = std::fabs(result.value[j] - 2 * length * before[j] / per_unit);
     }
     const double size = length * *std::max_element(absolute.begin(), absolute.end()) / per_unit;
-    const bool agree = *std::max_element(difference.begin(), difference.end()) <= 1e-10 * size;
+    const bool agree = *std::max_element(difference.begin(), difference.end()) <= 1e-12 * size;
     for (std::size_t j = 0; j < N; ++j) {
       const double left = agree && size > 0 ? std::sqrt(difference[j] / size) : 16;
       result.error[j] = left * difference[j] + 8 * unit * length * absolute[j] / per_unit;
