@@ -16,11 +16,12 @@
 //     E = (1 / 2 pi) int dphi [n; W s] int_-1^1 q(s) g(u . n + w W s) ds,   q = (1 - s^2)^n / B(1/2, n + 1)
 //
 // with W the half width of the zone. On polygons the triangles between the pole and the edges are integrated along
-// their rays in closed form, beyond two radii those between centroid and edges by points.
+// their rays in closed form, beyond two radii those between centroid and edges by points. Lines are integrated along
+// themselves (line_stribeck.cc). XydasKaoDisc and StampDisc have no such law.
 //
 // Units    as law.h.
 // Error    carried: that of t_k, and an estimate for E, mostly some 1e-15 (kernels/vector_quadrature.h):
-//          tests/friction/local_stribeck_test.cc.
+//          tests/friction/local_stribeck_error_test.cc.
 // Cost     some milliseconds.
 #pragma once
 

@@ -4,6 +4,8 @@
 //
 // One function for all: a patch can be rubbed by the law at each point if stribeck_excess takes it.
 //
+// Domain   every motion of every patch but XydasKaoDisc and StampDisc, which behind AnyPatch answer not-a-number with
+//          an infinite error. A scene that asks for them is refused.
 // Units    u [1], [1], [1/m]; force [1], moment [m].
 // Error    carried: an estimate, mostly some 1e-15 of the force and of force times size (local_stribeck.h).
 // Throws   PowerEllipse::of_semi_axes std::invalid_argument outside its domain; nothing else.
@@ -16,6 +18,7 @@ namespace patchgrip::friction {
 class FlatPunchDisc;
 class HertzDisc;
 class HertzEllipse;
+class LineLoad;
 class PointLoad;
 class Polygon;
 class PowerDisc;
@@ -47,6 +50,7 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
 BoundedWrench stribeck_excess(const FlatPunchDisc& disc, const Twist& u) noexcept;
 BoundedWrench stribeck_excess(const HertzDisc& disc, const Twist& u) noexcept;
 BoundedWrench stribeck_excess(const HertzEllipse& ellipse, const Twist& u) noexcept;
+BoundedWrench stribeck_excess(const LineLoad& line, const Twist& u) noexcept;
 BoundedWrench stribeck_excess(const PointLoad& point, const Twist& u) noexcept;
 BoundedWrench stribeck_excess(const Polygon& polygon, const Twist& u) noexcept;
 BoundedWrench stribeck_excess(const PowerDisc& disc, const Twist& u) noexcept;

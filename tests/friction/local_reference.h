@@ -65,14 +65,15 @@ LocalExcess integral_of(const F& f, Long lo, Long hi) {
       absolute += size(g);
     }
   };
-  std::size_t every = LongNodes::finest / LongNodes::coarsest;
-  add(0, every);
-  for (; every > 1; every /= 2) {
+  std::size_t step = LongNodes::finest / LongNodes::coarsest;
+  add(0, step);
+  for (bool agree = false; step > 1 && !agree;) {
     const LocalExcess before = sum;
-    add(every / 2, every);
-    if (size(sum + -2 * before) <= 1e-17L * absolute) break;
+    add(step / 2, step);
+    step /= 2;
+    agree = size(sum + -2 * before) <= 1e-17L * absolute;
   }
-  return length * (static_cast<Long>(every) / 2) / LongNodes::finest * sum;
+  return length * static_cast<Long>(step) / LongNodes::finest * sum;
 }
 
 inline LocalExcess excess_at(const Twist& u, Long x, Long y) {
@@ -158,6 +159,14 @@ inline LocalExcess uniform_ellipse_excess(Long a, Long b, const Twist& u) {
   const LocalExcess sum = integral_of([&](Long from, Long) { return at(pole + from); }, 0, pi) +
                           integral_of([&](Long from, Long) { return at(pole - from); }, 0, pi);
   return about_origin(1 / (pi * a * b) * sum, X, Y);
+}
+
+// A uniform line along x, in two pieces from the foot of the pole.
+inline LocalExcess line_excess(Long length, const Twist& u) {
+  const Long foot = u.w == 0 ? 0 : std::clamp(-u.vy / Long(u.w), -length / 2, length / 2);
+  return 1 / length *
+         (integral_of([&](Long, Long to_foot) { return excess_at(u, foot - to_foot, 0); }, -length / 2, foot) +
+          integral_of([&](Long from_foot, Long) { return excess_at(u, foot + from_foot, 0); }, foot, length / 2));
 }
 
 // Triangles between the pole and the edges within two and a half radii, beyond them between the first vertex and the

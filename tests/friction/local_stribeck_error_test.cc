@@ -4,8 +4,10 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <boost/math/constants/constants.hpp>
 
 #include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/local_stribeck.h>
 #include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/ring.h>
@@ -13,6 +15,7 @@
 #include <patchgrip/tests/friction/local_reference.h>
 #include <patchgrip/tests/friction/shapes.h>
 #include <patchgrip/tests/support/cases.h>
+#include <patchgrip/tests/support/exact.h>
 
 namespace patchgrip::friction {
 namespace {
@@ -88,6 +91,44 @@ TEST(LocalStribeckError, OfAPowerEllipseIsWithinItsError) {
     const Twist u = random_twist(engine, a, b);
     expect_within_error(stribeck_excess(PowerEllipse::of_semi_axes(a, b, n), u), power_ellipse_excess(a, b, n, u),
                         std::max(a, b), 1e-14);
+  }
+}
+
+// Poles about the line, down to 1e-16 of its length beside it, and far away.
+TEST(LocalStribeckError, OfALineIsWithinItsError) {
+  std::mt19937_64 engine(20060310);
+  for (int i = cases(300); i > 0; --i) {
+    const double L = log_uniform(engine, 1e-3, 10), width = i % 2 ? L / 2 : L * log_uniform(engine, 1e-16, 1);
+    const Twist u = random_twist(engine, L / 2, width);
+    expect_within_error(stribeck_excess(LineLoad::of_length(L), u), line_excess(L, u), L, 1e-14);
+  }
+}
+
+// Across the line the integral is one of the speed alone: sqrt(pi) / 2 (erf q_1 - erf q_0) / w L, q_i at the ends.
+TEST(LocalStribeckError, OfALineAcrossItIsThatOfItsEnds) {
+  using patchgrip::testing::Exact;
+  std::mt19937_64 engine(20060311);
+  for (int i = cases(300); i > 0; --i) {
+    const double L = log_uniform(engine, 1e-3, 10);
+    const double w = log_uniform(engine, 1e-6, 1e6) / L, vx = i % 3 ? log_uniform(engine, 1e-30, 10) : 0;
+    const double vy = uniform(engine, -2, 2) * w * L;
+    const auto speed = [&](double x) { return Exact(sqrt(Exact(vx) * vx + pow(vy + Exact(w) * x, 2))); };
+    const Exact root = sqrt(boost::math::constants::pi<Exact>()) / 2;
+    const Exact exact = root * (erf(speed(L / 2)) - erf(speed(-L / 2))) / (Exact(w) * L);
+    const BoundedWrench found = stribeck_excess(LineLoad::of_length(L), {vx, vy, w});
+    EXPECT_LE(static_cast<double>(abs(found.value.fy - exact)), found.force_error) << vx << ' ' << vy << ' ' << w;
+    EXPECT_LE(found.force_error, 1e-14);
+  }
+}
+
+TEST(LocalStribeckError, OfALineWithThePoleOnItIsThatNextToIt) {
+  const LineLoad line = LineLoad::of_length(2);
+  for (const double x : {0.0, 0.3, 1.0, 5.0}) {
+    const Wrench on = stribeck_excess(line, {0, -x, 1}).value, next = stribeck_excess(line, {1e-200, -x, 1}).value;
+    EXPECT_EQ(on.fx, 0);
+    EXPECT_LE(next.fx, 1e-197);
+    EXPECT_EQ(on.fy, next.fy);
+    EXPECT_EQ(on.m, next.m);
   }
 }
 

@@ -12,11 +12,13 @@
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
 #include <patchgrip/friction/several.h>
+#include <patchgrip/friction/stamp_disc.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/friction/xydas_kao_disc.h>
 #include <patchgrip/tests/friction/local_motions.h>
@@ -74,6 +76,7 @@ TEST(LocalStribeck, TendsToBothCoefficients) {
   compare(UniformDisc::of_radius(0.2));
   compare(FlatPunchDisc::of_radius(0.2));
   compare(Rectangle::of_sides(0.3, 0.2));
+  compare(LineLoad::of_length(0.3));
 }
 
 TEST(LocalStribeck, NeverDrivesAndReversesWithTheMotion) {
@@ -95,6 +98,7 @@ TEST(LocalStribeck, NeverDrivesAndReversesWithTheMotion) {
     };
     check(HertzDisc::of_radius(0.7));
     check(Rectangle::of_sides(2, 1));
+    check(LineLoad::of_length(2));
   }
 }
 
@@ -197,11 +201,13 @@ TEST(LocalStribeck, IsForPatchesWhosePressureItKnows) {
   EXPECT_TRUE(LocalPatch<HertzDisc>);
   EXPECT_TRUE(LocalPatch<Placed<Placed<Rectangle>>>);
   EXPECT_TRUE(LocalPatch<HertzEllipse>);
+  EXPECT_TRUE(LocalPatch<LineLoad>);
   EXPECT_TRUE(LocalPatch<PointLoad>);
   EXPECT_TRUE(LocalPatch<Several>);
   EXPECT_TRUE(LocalPatch<AnyPatch>);
   EXPECT_TRUE(LocalPatch<Placed<AnyPatch>>);
   EXPECT_FALSE(LocalPatch<XydasKaoDisc>);
+  EXPECT_FALSE(LocalPatch<StampDisc>);
   const BoundedWrench none = stribeck_excess(AnyPatch(XydasKaoDisc::of_radius(1, 3)), {1, 2, 3});
   EXPECT_TRUE(std::isnan(none.value.fx) && std::isnan(none.value.m));
   EXPECT_TRUE(std::isinf(none.force_error) && std::isinf(none.moment_error));
