@@ -151,7 +151,8 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
   }
   g.value.m *= std::copysign(1.0, u.w);
   // u . n is rounded against |u|, the jump's place s against W: the integral of that over the directions.
-  const double rounding = 16 * unit * (1 + std::fabs(std::log(a / b)));
+  // Where q is infinite at the rim it counts half as much again.
+  const double rounding = (zone.n() < 0 ? 24 : 16) * unit * (1 + std::fabs(std::log(a / b)));
   g.force_error += rounding;
   g.moment_error += rounding * length;
   return g;
