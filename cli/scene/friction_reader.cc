@@ -24,11 +24,6 @@ Law read_dry(const TomlReader& table) {
   return Law::stribeck(mu_static, mu_kinetic, table.number("stribeck_velocity", positive("a speed in m/s")));
 }
 
-TomlReader friction_table(const TomlReader& scene) {
-  if (!scene.has("friction")) scene.refuse("friction", "a table [friction], with 'mu' say");
-  return scene.table("friction", {"mu", "mu_static", "mu_kinetic", "stribeck_velocity", "stribeck", "mu_viscous"});
-}
-
 // Where its speed is taken: true at each point, false in the mean.
 bool read_stribeck(const TomlReader& table) {
   constexpr std::array<std::string_view, 2> speeds{"mean", "local"};
@@ -39,6 +34,11 @@ bool read_stribeck(const TomlReader& table) {
 }
 
 }  // namespace
+
+TomlReader friction_table(const TomlReader& scene) {
+  if (!scene.has("friction")) scene.refuse("friction", "a table [friction], with 'mu' say");
+  return scene.table("friction", {"mu", "mu_static", "mu_kinetic", "stribeck_velocity", "stribeck", "mu_viscous"});
+}
 
 Law read_friction(const TomlReader& scene) {
   const TomlReader table = friction_table(scene);

@@ -8,10 +8,11 @@
 
 namespace patchgrip::cli {
 
-// Throws SceneError.
+// All throw SceneError.
+TomlReader friction_table(const TomlReader& scene);  // [friction], with all its keys
 friction::Law read_friction(const TomlReader& scene);
 
-// Whether Stribeck's law is taken at each point and not in the mean: 'stribeck'. Throws SceneError.
+// Whether Stribeck's law is taken at each point and not in the mean: 'stribeck'.
 bool is_local_stribeck(const TomlReader& scene);
 
 // The law as a formula, for the head of a table.

@@ -41,10 +41,11 @@ Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials)
   }
   const bool local = is_local_stribeck(scene);
   if (local) {
-    const TomlReader table = contact_table(scene);
     if (contact.resistance) scene.refuse("friction", "parts with their own 'mu' rub by Coulomb's law: give 'mu' alone");
     if (!std::isfinite(stribeck_excess(any_patch(contact), friction::Twist{}).force_error)) {
-      table.refuse_table("has a patch that takes Stribeck's law in the mean alone: leave out 'stribeck' in [friction]");
+      friction_table(scene).refuse("stribeck",
+                                   "\"mean\" with this contact: a xydas_kao_disc, and a stamp of revolution without a "
+                                   "flat end, take Stribeck's law in the mean alone");
     }
   }
   return {std::move(title), std::move(contact), *law, std::move(motions), local};

@@ -20,6 +20,7 @@
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/local_stribeck.h>
 
 #include "scenes.h"
@@ -217,10 +218,19 @@ TEST_F(Tabulate, StribeckFrictionIsTakenAtEachPointIfAsked) {
   EXPECT_LT(bodies.rows[0].moment_error, 1e-13 * 10 * 0.001);
 }
 
-TEST_F(Tabulate, StribeckAtEachPointIsRefusedWhereThePressureIsNotAtHand) {
+TEST_F(Tabulate, StribeckFrictionOfALineIsTakenAtEachPointIfAsked) {
   const std::string law = "mu_static = 0.6\nmu_kinetic = 0.4\nstribeck_velocity = 0.01\nstribeck = \"local\"";
-  const std::string scene = with(with(test::good_disc, "mu = 0.5", law), "hertz_disc", "xydas_kao_disc");
-  EXPECT_THROW(scene_of(with(scene, "radius = 0.005", "radius = 0.005\nalpha = 3")), SceneError);
+  const std::string line = with(with(test::good_disc, "mu = 0.5", law), "hertz_disc\"\nradius", "line\"\nlength");
+  const Scene scene = scene_of(line + "angular_speed = [0.1, 1, 10]\n");
+  const Table table = table_of(scene);
+  ASSERT_THAT(table.rows, SizeIs(6));
+  for (const Row& row : table.rows) {
+    const auto wrench =
+        local_friction_wrench(scene.law, 10, friction::LineLoad::of_length(0.005), {row.vx, row.vy, row.w});
+    EXPECT_EQ(row.fx, wrench.value.fx);
+    EXPECT_EQ(row.m, wrench.value.m);
+    EXPECT_LE(row.force_error, 1e-13);
+  }
 }
 
 TEST_F(Tabulate, BodiesWidenTheBound) {
