@@ -91,6 +91,16 @@ std::vector<LoadedTriangle> loaded_triangles(const Triangulation& mesh, const Pr
   return result;
 }
 
+// Points seen from the centre of pressure are rounded: small triangles far from it may lose their area.
+void require_area(const LoadedTriangle& t, const std::vector<double>& x, const std::vector<double>& y) {
+  const auto [a, b, c] = t.corners;
+  if (!((x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]) > 0)) {
+    throw std::invalid_argument("the triangle of points " + std::to_string(a) + ", " + std::to_string(b) + ", " +
+                                std::to_string(c) + " is too small: seen from the centre of pressure its corners " +
+                                "must not round to one line");
+  }
+}
+
 struct MeshMoments {
   Wide area{0}, force{0};
   Wide x{0}, y{0};  // centroid
@@ -159,6 +169,7 @@ std::shared_ptr<const kernels::SampledPressure> make(const Triangulation& mesh, 
     x.push_back((p.x - frame.x) / frame.scale);
     y.push_back((p.y - frame.y) / frame.scale);
   }
+  for (const LoadedTriangle& t : triangles) require_area(t, x, y);
   const auto factor = static_cast<long double>(Wide(frame.scale) * frame.scale / m.force);
   for (LoadedTriangle& t : triangles) {
     for (double& p : t.pressures) {

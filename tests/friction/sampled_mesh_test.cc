@@ -199,6 +199,8 @@ TEST(SampledMesh, BadInputIsRefusedByName) {
   refused({good.points, {{0, 1, 4}}}, p, "triangles[0] names point 4: there are 4");
   refused({good.points, {{0, 1, 2}, {0, 1, 3}}}, p, "triangles[1] has no area");
   refused({good.points, {{0, 1, 1}}}, p, "triangles[0] has no area");
+  refused({{{0, 0}, {1, 0}, {0, 1}, {1e-20, 0}, {0, 1e-20}}, {{0, 1, 2}, {0, 3, 4}}}, {1, 1, 1, 1, 1},
+          "the triangle of points 0, 3, 4 is too small");
   Triangulation bad = good;
   bad.points[1].y = nan;
   refused(bad, p, "points[1].y = nan is not allowed");
