@@ -22,7 +22,8 @@ class GridPieces : public Pieces {
   // Grid lines, and a pressure per cell between them, x running fastest; the force is 1.
   GridPieces(std::vector<double> x, std::vector<double> y, std::vector<double> pressures, Lanes lanes = widest_lanes());
 
-  // Boxes of boxes over all cells, parents first; leaves of at most `columns` by `rows` cells.
+  // Boxes of boxes over all cells, parents first; leaves of at most `columns` by `rows` cells. Fewer levels than
+  // PressureNode::most_levels: each halves columns or rows, and there are at most 2^24 cells.
   std::vector<PressureNode> make_tree(std::size_t columns, std::size_t rows);
 
   void add(std::size_t leaf, double X, double Y, Derivatives derivatives, DistanceSums& sums) const noexcept override;

@@ -50,8 +50,8 @@ Box MeshPieces::box_of(const Range& range) const noexcept {
   return {(x0 + x1) / 2, (y0 + y1) / 2, (x1 - x0) / 2, (y1 - y0) / 2};
 }
 
-// Cuts through the middle of the longer side of the box around the triangles' centroids.
-std::vector<MeshPieces::Range> MeshPieces::halves(const Range& range) {
+// Cuts the longer side of the box around the triangles' centroids: in the middle, or so that either half has as many.
+std::vector<MeshPieces::Range> MeshPieces::halves(const Range& range, Cut way) {
   const auto x = [this](const LoadedTriangle& t) { return x_[t.corners[0]] + x_[t.corners[1]] + x_[t.corners[2]]; };
   const auto y = [this](const LoadedTriangle& t) { return y_[t.corners[0]] + y_[t.corners[1]] + y_[t.corners[2]]; };
   const auto begin = triangles_.begin() + static_cast<std::ptrdiff_t>(range.begin);
@@ -59,10 +59,21 @@ std::vector<MeshPieces::Range> MeshPieces::halves(const Range& range) {
   const auto [left, right] = std::ranges::minmax_element(begin, end, {}, x);
   const auto [low, high] = std::ranges::minmax_element(begin, end, {}, y);
   const double x0 = x(*left), x1 = x(*right), y0 = y(*low), y1 = y(*high);
-  auto middle = x1 - x0 > y1 - y0 ? std::partition(begin, end, [&](const auto& t) { return x(t) < (x0 + x1) / 2; })
-                                  : std::partition(begin, end, [&](const auto& t) { return y(t) < (y0 + y1) / 2; });
-  // Triangles on top of one another.
-  if (middle == begin || middle == end) middle = begin + (end - begin) / 2;
+  const bool wide = x1 - x0 > y1 - y0;
+  auto middle = begin;
+  if (way == Cut::middle) {
+    middle = wide ? std::partition(begin, end, [&](const auto& t) { return x(t) < (x0 + x1) / 2; })
+                  : std::partition(begin, end, [&](const auto& t) { return y(t) < (y0 + y1) / 2; });
+  }
+  // The median; also of triangles on top of one another.
+  if (middle == begin || middle == end) {
+    middle = begin + (end - begin) / 2;
+    if (wide) {
+      std::ranges::nth_element(begin, middle, end, {}, x);
+    } else {
+      std::ranges::nth_element(begin, middle, end, {}, y);
+    }
+  }
   const auto cut = static_cast<std::size_t>(middle - triangles_.begin());
   return {{range.begin, cut}, {cut, range.end}};
 }
@@ -70,11 +81,13 @@ std::vector<MeshPieces::Range> MeshPieces::halves(const Range& range) {
 std::vector<PressureNode> MeshPieces::make_tree(std::size_t count) {
   std::vector<PressureNode> nodes;
   std::vector<Range> ranges;
-  const auto append = [&](const Range& range) {
+  std::vector<std::uint32_t> levels;
+  const auto append = [&](const Range& range, std::uint32_t level) {
     nodes.push_back({.box = box_of(range)});
     ranges.push_back(range);
+    levels.push_back(level);
   };
-  append({0, triangles_.size()});
+  append({0, triangles_.size()}, 0);
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const Range whole = ranges[k];
     if (whole.end - whole.begin <= count) {
@@ -83,11 +96,13 @@ std::vector<PressureNode> MeshPieces::make_tree(std::size_t count) {
       continue;
     }
     nodes[k].first_child = static_cast<std::uint32_t>(nodes.size());
-    for (const Range& half : halves(whole)) {
+    const std::uint32_t level = levels[k];
+    const Cut way = level < PressureNode::most_levels - 32 ? Cut::middle : Cut::median;
+    for (const Range& half : halves(whole, way)) {
       if (half.end - half.begin <= count) {
-        append(half);
+        append(half, level + 1);
       } else {
-        for (const Range& quarter : halves(half)) append(quarter);
+        for (const Range& quarter : halves(half, way)) append(quarter, level + 1);
       }
     }
     nodes[k].children = static_cast<std::uint32_t>(nodes.size()) - nodes[k].first_child;

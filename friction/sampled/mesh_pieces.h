@@ -21,7 +21,9 @@ class MeshPieces : public Pieces {
   // Points x, y; the force of all triangles is 1.
   MeshPieces(std::vector<double> x, std::vector<double> y, std::vector<LoadedTriangle> triangles);
 
-  // Boxes of boxes over all triangles, parents first; leaves of at most `count` triangles.
+  // Boxes of boxes over all triangles, parents first; leaves of at most `count` triangles. Fewer levels than
+  // PressureNode::most_levels: above the last 32 boxes are cut in the middle, below them triangles are halved in number
+  // twice a level, and there are less than 2^32.
   std::vector<PressureNode> make_tree(std::size_t count);
 
   void add(std::size_t leaf, double X, double Y, Derivatives derivatives, DistanceSums& sums) const noexcept override;
@@ -41,7 +43,8 @@ class MeshPieces : public Pieces {
   };
 
   Box box_of(const Range& range) const noexcept;
-  std::vector<Range> halves(const Range& range);
+  enum class Cut { middle, median };
+  std::vector<Range> halves(const Range& range, Cut cut);
   void add_leaf(const Range& range);
 
   std::vector<double> x_, y_;

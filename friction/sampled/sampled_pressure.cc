@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 namespace patchgrip::friction::kernels {
 namespace {
@@ -39,6 +40,20 @@ void carry(const double* from, const Box& inner, double* to, const Box& outer, i
   }
 }
 
+void require_levels(const std::vector<PressureNode>& nodes) {
+  std::vector<std::uint32_t> level(nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto& [box, first_child, children, leaf] = nodes[k];
+    if (children > PressureNode::most_children || (children > 0 && level[k] == PressureNode::most_levels)) {
+      throw std::length_error("tree node " + std::to_string(k) + " with " + std::to_string(children) +
+                              " children on level " + std::to_string(level[k]) + " is not allowed: at most " +
+                              std::to_string(PressureNode::most_children) + " children, and none on level " +
+                              std::to_string(PressureNode::most_levels));
+    }
+    for (std::uint32_t i = 0; i < children; ++i) level[first_child + i] = level[k] + 1;
+  }
+}
+
 }  // namespace
 
 struct SampledPressure::Local {
@@ -54,6 +69,7 @@ SampledPressure::SampledPressure(const PressureFrame& frame, std::vector<Pressur
       rule_(load_rule(tolerance)),
       nodes_(std::move(nodes)),
       pieces_(std::move(pieces)) {
+  require_levels(nodes_);
   kernels_ = load_kernels(rule_.order, widest_lanes());
   const Box& root = nodes_[0].box;
   radius_ = std::hypot(std::fabs(root.x) + root.hx, std::fabs(root.y) + root.hy);
@@ -105,7 +121,8 @@ SampledPressure::Local SampledPressure::local(const Twist& twist) const noexcept
 // Calls far(node index) and near(node index) for boxes that together are the patch.
 template <class Far, class Near>
 void SampledPressure::visit(const Twist& v, Far&& far, Near&& near) const noexcept {
-  std::array<std::uint32_t, 256> stack;
+  // A level leaves all but one of its children behind.
+  std::array<std::uint32_t, 1 + (PressureNode::most_children - 1) * PressureNode::most_levels> stack;
   std::size_t depth = 0;
   stack[depth++] = 0;
   const double w2 = v.w * v.w * rule_.reach * rule_.reach;

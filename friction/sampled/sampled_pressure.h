@@ -45,6 +45,8 @@ class Pieces {
 
 struct PressureNode {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static constexpr std::uint32_t most_children = 4;
+  static constexpr std::uint32_t most_levels = 64;  // below the root; makers of trees prove that theirs have fewer
 
   Box box;
   std::uint32_t first_child = 0;
@@ -64,7 +66,7 @@ struct PressureFrame {
 
 class SampledPressure {
  public:
-  // `nodes` parents first, the root at 0.
+  // `nodes` parents first, the root at 0. Throws std::length_error for more levels or children than a node may have.
   SampledPressure(const PressureFrame& frame, std::vector<PressureNode> nodes, std::unique_ptr<const Pieces> pieces,
                   double tolerance);
 

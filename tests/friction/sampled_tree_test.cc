@@ -1,12 +1,17 @@
 // Boxes of boxes against the exact sums of all pieces.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <patchgrip/friction/sampled/sampled_pressure.h>
 #include <patchgrip/tests/friction/hessian.h>
 #include <patchgrip/tests/friction/sampled_cases.h>
 
@@ -99,6 +104,68 @@ TEST(TreeOfTriangles, IsGoodToItsTolerance) {
     expect_within(PressureMesh::constant_within(tolerance, part, steps), PressureMesh::constant(part, steps), tolerance,
                   1, cases(60));
   }
+}
+
+// Squares around one another, each of half the side: every cut through the middle of a box takes a few triangles off it,
+// so that a tree of such cuts alone would have too many levels.
+Triangulation nested_squares(std::size_t count) {
+  Triangulation mesh;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double a = std::scalbn(1.0, -static_cast<int>(k));
+    for (const Point& p : {Point{-a, -a}, Point{a, -a}, Point{a, a}, Point{-a, a}}) mesh.points.push_back(p);
+  }
+  for (std::size_t k = 0; k + 1 < count; ++k) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t j = (i + 1) % 4, p = 4 * k + i, q = 4 * k + j;
+      mesh.triangles.push_back({p, q, p + 4});
+      mesh.triangles.push_back({q, p + 4, q + 4});
+    }
+  }
+  return mesh;
+}
+
+TEST(TreeOfTriangles, GradedTowardsAPointHasFewLevels) {
+  constexpr int squares = 100;  // the centre of pressure is 0 to 34 digits: all of them have an area as seen from there
+  const Triangulation mesh = nested_squares(squares);
+  const std::vector<double> ones(mesh.triangles.size(), 1);
+  const PressureMesh tree = PressureMesh::constant_within(1e-9, mesh, ones);
+  const PressureMesh exact = PressureMesh::constant(mesh, ones);
+  for (int k = 0; k < squares; ++k) {
+    const double a = std::scalbn(0.9, -k);
+    const Twist v = twist_about({a, 0.7 * a}, 1);
+    const BoundedWrench g = tree.bounded_gradient(v), h = exact.bounded_gradient(v);
+    EXPECT_LE(std::hypot(g.value.fx - h.value.fx, g.value.fy - h.value.fy), 1e-9 + h.force_error) << k;
+    EXPECT_LE(std::fabs(g.value.m - h.value.m), 4e-9 + h.moment_error) << k;
+  }
+}
+
+TEST(TreeOfTriangles, GradedBelowTheRoundingOfItsCentreIsRefused) {
+  const Triangulation mesh = nested_squares(100);
+  std::vector<double> pressures(mesh.triangles.size(), 1);
+  pressures[0] = 2;  // moves the centre of pressure away from the small squares
+  EXPECT_THROW(PressureMesh::constant(mesh, pressures), std::invalid_argument);
+  EXPECT_THROW(PressureMesh::constant_within(1e-9, mesh, pressures), std::invalid_argument);
+}
+
+class OnePiece : public kernels::Pieces {
+ public:
+  void add(std::size_t, double, double, kernels::Derivatives, kernels::DistanceSums&) const noexcept override {}
+  void add_excess(std::size_t, const Twist&, kernels::StribeckSums&) const noexcept override {}
+  kernels::Roughness roughness(std::size_t) const override { return {}; }
+  void add_loads(std::size_t, const kernels::Box&, const kernels::LoadRule&, double* loads) const override {
+    loads[0] += 1;
+  }
+};
+
+TEST(Tree, WithMoreLevelsThanItsStackHoldsIsRefused) {
+  const auto chain = [](std::uint32_t levels) {
+    std::vector<kernels::PressureNode> nodes;
+    for (std::uint32_t k = 0; k <= levels; ++k) nodes.push_back({{0, 0, 1, 1}, k + 1, k < levels ? 1U : 0U});
+    nodes.back().leaf = 0;
+    return kernels::SampledPressure({}, std::move(nodes), std::make_unique<OnePiece>(), 1e-3);
+  };
+  EXPECT_NO_THROW(chain(kernels::PressureNode::most_levels));
+  EXPECT_THROW(chain(kernels::PressureNode::most_levels + 1), std::length_error);
 }
 
 TEST(Tree, DissipationIsThePowerOfTheGradientAndHomogeneous) {
