@@ -12,6 +12,8 @@
 // Error    force and moment each <= 8 units of 2^-53 of their own size at every pole: rim, far field and infinity
 //          included. Measured: tests/friction/round_patch_test.cc, and `bounds_test --cases 100000`.
 // Fails    results below 1e-290 of their scale are not relatively exact.
+// Throws   hessian(): std::domain_error at rest, for a twist that is not finite, and with the pole on the rim of a
+//          pressure that makes it infinite there (a ring).
 #pragma once
 
 #include <algorithm>
@@ -68,8 +70,9 @@ class RoundPatch {
     return {g, relative * std::hypot(g.fx, g.fy), relative * std::fabs(g.m)};
   }
 
-  // Throws std::domain_error at rest, and where the pressure makes it infinite (a ring with the pole on it).
   Hessian hessian(const Twist& v) const {
+    if (std::isnan(finite_or_nan(v).w))
+      throw std::domain_error("twist is not finite: the Hessian of D exists only for finite twists");
     const Scaled s = scaled(v);
     const RoundTwist t(s.twist, radius_);
     if (t.V2 == 0 && t.W == 0)

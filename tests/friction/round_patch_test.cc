@@ -258,6 +258,12 @@ TEST_P(RoundPatchOf, NotANumberComesOutWhereItGoesIn) {
     const Wrench g = disc.gradient(v);
     EXPECT_TRUE(std::isnan(g.fx) && std::isnan(g.fy) && std::isnan(g.m)) << v.vx << ' ' << v.vy << ' ' << v.w;
     EXPECT_TRUE(std::isnan(disc.dissipation(v)));
+    try {
+      disc.hessian(v);
+      ADD_FAILURE() << "a Hessian at " << v.vx << ' ' << v.vy << ' ' << v.w;
+    } catch (const std::domain_error& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("twist is not finite"), std::string::npos);
+    }
   }
 }
 
