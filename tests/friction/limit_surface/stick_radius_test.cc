@@ -1,12 +1,15 @@
 #include <patchgrip/friction/limit_surface/stick_radius.h>
 
 #include <numbers>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/placed.h>
+#include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/rectangle.h>
+#include <patchgrip/friction/several.h>
 
 namespace patchgrip::friction {
 namespace {
@@ -34,6 +37,13 @@ TEST(StickRadius, IsOneForForcesThroughTheCentroidAndMinSForMoments) {
   EXPECT_NEAR(stick_radius(surface, 2, std::numbers::pi / 2).value, 1, 1e-15);
   EXPECT_NEAR(stick_radius(surface, 0, 0).value, 3 * std::numbers::pi / 16, 1e-15);
   EXPECT_NEAR(stick_radius(surface, 0, std::numbers::pi).value, 3 * std::numbers::pi / 16, 1e-15);
+}
+
+TEST(StickRadius, OfAPatchWithoutAreaIsRefused) {
+  const LimitSurface surface(
+      Several::of_parts({{Placed(PointLoad{}, -0.02, 0), 1}, {Placed(PointLoad{}, 0.02, 0), 1}}));
+  EXPECT_THROW(stick_radius(surface, 0, 0), std::invalid_argument);
+  EXPECT_THROW(stick_radius(surface, 1, 1), std::invalid_argument);
 }
 
 TEST(StickRadius, ForcesPastTheCentroidHaveLess) {
