@@ -19,7 +19,7 @@
 #include <limits>
 #include <utility>
 
-#include <patchgrip/friction/limit_surface/gauge.h>
+#include <patchgrip/friction/limit_surface/scaled_load.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/round_patch.h>
 
@@ -40,8 +40,8 @@ class RoundLimitSurface {
   Gauge gauge(const Wrench& load) const noexcept {
     if (const auto known = trivial_gauge(load)) return *known;
     const double a = patch_.radius();
-    const int e = load_exponent(load, a);
-    const Wrench t{std::scalbn(load.fx, -e), std::scalbn(load.fy, -e), std::scalbn(load.m, -e)};
+    const ScaledLoad scaled(load, a);
+    const Wrench& t = scaled.load;
     const double F = std::hypot(t.fx, t.fy);
     const double M = std::fabs(t.m) / a;
     const bool inside = F <= rim_ratio_ * M;
@@ -54,13 +54,13 @@ class RoundLimitSurface {
     const double k = (F * V + M * W) / D;
     const double shift = std::fabs(F - k * p.f) + std::fabs(M - k * p.m) / centre_moment_;
     const double terms = F + k * p.f + (M + k * p.m) / centre_moment_;
-    g.value = std::scalbn(k, e);
-    g.lower = std::scalbn(k * (1 - 20 * unit), e);
-    g.upper = std::scalbn((1 + 4 * unit) * (k + shift + 12 * unit * terms), e);
+    g.value = k;
+    g.lower = k * (1 - 20 * unit);
+    g.upper = (1 + 4 * unit) * (k + shift + 12 * unit * terms);
     const double speed = F > 0 ? V / (D * F) : 0;
     g.twist = {speed * t.fx, speed * t.fy, std::copysign(W / (D * a), t.m)};
     g.status = shift <= 1e-12 * k ? GaugeStatus::converged : GaugeStatus::stalled;
-    return g;
+    return scaled.back(g);
   }
 
  private:
@@ -133,8 +133,11 @@ class RoundLimitSurface<Placed<P>> {
 
   const Placed<P>& patch() const noexcept { return patch_; }
 
-  Gauge gauge(const Wrench& t) const noexcept {
+  Gauge gauge(const Wrench& load) const noexcept {
+    if (const auto known = trivial_gauge(load)) return *known;
     const double x = patch_.x(), y = patch_.y();
+    const ScaledLoad scaled(load, patch_.area_radius());
+    const Wrench& t = scaled.load;
     Gauge g = centred_.gauge({t.fx, t.fy, t.m - (x * t.fy - y * t.fx)});
     // A moment that is wrong by d asks for d / m_0 at most.
     const double error = 0x1p-53 * (std::fabs(t.m) + 3 * (std::fabs(x * t.fy) + std::fabs(y * t.fx))) / least_moment_;
@@ -142,7 +145,7 @@ class RoundLimitSurface<Placed<P>> {
     g.upper += error;
     g.twist.vx += g.twist.w * y;
     g.twist.vy -= g.twist.w * x;
-    return g;
+    return scaled.back(g);
   }
 
  private:

@@ -1,12 +1,18 @@
-// A load as a round limit surface of radius a sees it, where its squares can be formed.
+// A load as a round limit surface of radius a sees it: F^2 and |M| / a about its centre, in a range where squares can
+// be formed.
+//
+// Domain   every load; one that is not finite has a gauge that is not a number.
+// Units    load [N], [N], [N m] about the centre; radius [m]; F^2 [N^2], |M| / a [N]; gauge [N].
+// Error    2 units of 2^-53 in F^2, one in |M| / a; scaling adds none (scaled_load.h).
+// Throws   nothing.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <patchgrip/friction/kernels/hertz_gauge.h>
 #include <patchgrip/friction/limit_surface/gauge.h>
+#include <patchgrip/friction/limit_surface/scaled_load.h>
 
 namespace patchgrip::friction {
 
@@ -29,9 +35,8 @@ inline bool in_range(const kernels::HertzLoad& t) noexcept {
 template <class Function>
 [[gnu::noinline]] double of_rescaled_load(const Wrench& load, double radius, const Function& gauge) noexcept {
   if (const auto known = trivial_gauge(load)) return known->value;
-  const int e = load_exponent(load, radius);
-  const Wrench t{std::scalbn(load.fx, -e), std::scalbn(load.fy, -e), std::scalbn(load.m, -e)};
-  return std::scalbn(gauge(round_load(t, radius)), e);
+  const ScaledLoad scaled(load, radius);
+  return scaled.back(gauge(round_load(scaled.load, radius)));
 }
 
 template <class Function>

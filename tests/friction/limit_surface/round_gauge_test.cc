@@ -113,5 +113,31 @@ TEST(RoundGauge, NoLoadAndBadLoads) {
   EXPECT_TRUE(std::isnan(surface.gauge({0, std::numeric_limits<double>::infinity(), 1}).value));
 }
 
+TEST(RoundGauge, PlacedNoLoadAndBadLoads) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const RoundLimitSurface surface(Placed(HertzDisc::of_radius(1), 2, -3));
+  EXPECT_EQ(surface.gauge({}).upper, 0);
+  for (const Wrench& bad : {Wrench{nan, 0, 1}, Wrench{0, infinity, 1}, Wrench{1, 0, -infinity}}) {
+    const Gauge g = surface.gauge(bad);
+    EXPECT_EQ(g.status, GaugeStatus::not_finite);
+    EXPECT_TRUE(std::isnan(g.value) && std::isnan(g.lower) && std::isnan(g.upper) && std::isnan(g.twist.w));
+  }
+}
+
+// The moment about the centre, x fy, overflows where the load does not.
+TEST(RoundGauge, PlacedHoldsOverTheWholeRangeOfDoubles) {
+  const RoundLimitSurface surface(Placed(HertzDisc::of_radius(1), 300, -700));
+  const Gauge one = surface.gauge({0.3, 0.4, 0.2});
+  for (const int e : {-1000, -500, 500, 1010}) {
+    const Gauge g = surface.gauge({std::scalbn(0.3, e), std::scalbn(0.4, e), std::scalbn(0.2, e)});
+    EXPECT_EQ(g.status, GaugeStatus::converged);
+    EXPECT_EQ(std::scalbn(g.value, -e), one.value);
+    EXPECT_EQ(std::scalbn(g.lower, -e), one.lower);
+    EXPECT_EQ(g.twist.w, one.twist.w);
+  }
+  const Gauge too_large = surface.gauge({1e308, 1.7e308, 1e308});
+  EXPECT_TRUE(std::isinf(too_large.value) && std::isinf(too_large.upper) && std::isfinite(too_large.lower));
+}
+
 }  // namespace
 }  // namespace patchgrip::friction
