@@ -9,6 +9,8 @@
 namespace patchgrip::friction {
 namespace {
 
+constexpr double finest = 0x1p-30;  // distance of twists that an edge is cut to
+
 struct Cone {
   std::array<Slip, 3> corners;
   double longest;    // edge
@@ -17,10 +19,13 @@ struct Cone {
   bool operator<(const Cone& other) const { return longest < other.longest; }
 };
 
+// 0 where the twists are closer than finest.
 double squared_distance(const Slip& p, const Slip& q) {
   const Twist v{p.twist.vx - q.twist.vx, p.twist.vy - q.twist.vy, p.twist.w - q.twist.w};
   const Wrench t{p.wrench.fx - q.wrench.fx, p.wrench.fy - q.wrench.fy, p.wrench.m - q.wrench.m};
-  return v.vx * v.vx + v.vy * v.vy + v.w * v.w + t.fx * t.fx + t.fy * t.fy + t.m * t.m;
+  const double of_twists = v.vx * v.vx + v.vy * v.vy + v.w * v.w;
+  if (!(of_twists > finest * finest)) return 0;
+  return of_twists + t.fx * t.fx + t.fy * t.fy + t.m * t.m;
 }
 
 Cone cone(const std::array<Slip, 3>& c) {
@@ -50,7 +55,7 @@ std::vector<Slip> spread_slips(const SupportFunction& D, std::size_t count) {
     cones.push(cone({slip(equator[k]), slip(equator[(k + 1) % 4]), spin}));
     if (k < 2) add(slip(equator[k]));
   }
-  while (slips.size() < count) {
+  while (slips.size() < count && cones.top().longest > 0) {
     const Cone c = cones.top();
     cones.pop();
     const Slip &apex = c.corners[c.apex], &p = c.corners[(c.apex + 1) % 3], &q = c.corners[(c.apex + 2) % 3];

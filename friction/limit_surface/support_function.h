@@ -8,15 +8,20 @@
 //
 // with the centre of pressure (x, y), so that D = 1 for every translation of speed 1 and for the spin w = 1 / l.
 //
+// Domain   every patch whose pressure lies not in one point: there l = 0, and B is flat.
+// Units    twist as twist.h; l [m]; v, t and D of the frame [m/s], [N] per mu F_N.
 // Error    relative: |value - h(v)| <= error h(v), and wrench / (1 + error) lies in the body. A patch's error of force
 //          and moment counts with 1 and 2 / l, as B contains (0, 0, l / 2): S(M) >= l / 2 everywhere, because
 //          |M - c| <= S(M) and l = S(c) <= S(M) + |M - c|.
+// Throws   CentredFrame::of: std::invalid_argument, naming the moment about the centre, unless it exceeds its error
+//          by rounding: one point, or a patch too far from its origin to be seen from there.
 #pragma once
 
 #include <cmath>
 #include <functional>
 #include <limits>
 
+#include <patchgrip/contact/require.h>
 #include <patchgrip/friction/patch.h>
 
 namespace patchgrip::friction {
@@ -30,10 +35,20 @@ struct SupportValue {
 using SupportFunction = std::function<SupportValue(const Twist&)>;
 
 struct CentredFrame {
+  static constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+
   template <Patch P>
   static CentredFrame of(const P& patch) {
     const PressureMoments s = patch.moments();
-    return {s.x, s.y, patch.dissipation(twist_about({s.x, s.y}, 1))};
+    const Twist spin = twist_about({s.x, s.y}, 1);
+    const double length = contact::require_positive("moment about the centre of pressure", patch.dissipation(spin));
+    const BoundedWrench g = patch.bounded_gradient(spin);
+    const double error = g.moment_error + std::hypot(s.x, s.y) * (g.force_error + 4 * unit);
+    if (!(error < length)) {
+      contact::refuse("moment about the centre of pressure", length,
+                      "must exceed its error by rounding, or the patch is a point as seen from its origin");
+    }
+    return {s.x, s.y, length};
   }
 
   Twist local(const Twist& v) const noexcept { return {std::fma(-v.w, y, v.vx), std::fma(v.w, x, v.vy), v.w * length}; }
@@ -53,7 +68,7 @@ struct CentredFrame {
 template <Patch P>
 SupportFunction support_function(const P& patch, const CentredFrame& frame) {
   return [patch, frame](const Twist& local) -> SupportValue {
-    constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+    constexpr double unit = CentredFrame::unit;
     const Twist v = frame.global(local);
     const BoundedWrench g = patch.bounded_gradient(v);
     const double arm = std::hypot(frame.x, frame.y);

@@ -14,8 +14,10 @@
 #include <patchgrip/friction/limit_surface/limit_surface.h>
 #include <patchgrip/friction/limit_surface/support_ratio.h>
 #include <patchgrip/friction/placed.h>
+#include <patchgrip/friction/point_load.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/several.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/tests/friction/shapes.h>
 #include <patchgrip/tests/support/cases.h>
@@ -60,6 +62,11 @@ inline auto target(double share, double radius) {
 
 inline auto islands() {
   return Shared{0.7, Placed(HertzDisc::of_radius(0.1), 1, 0), Placed(HertzDisc::of_radius(0.07), -1, 0.5)};
+}
+
+// Its limit surface has a flat facet: every slip about the point load but one.
+inline Several disc_and_point() {
+  return Several::of_parts({{HertzDisc::of_radius(0.01), 1}, {Placed(PointLoad{}, 0.004, 0.002), 0.5}});
 }
 
 // test("name", patch) for one patch of every kind.

@@ -43,6 +43,19 @@ TEST(Slips, LeaveNoGapInTwistsOrWrenches) {
   });
 }
 
+// About a point load wrenches differ at one twist: no cutting brings them together.
+TEST(Slips, PassByKinks) {
+  const auto four = Several::of_parts({{Placed(PointLoad{}, -0.02, 0), 1},
+                                       {Placed(PointLoad{}, 0.02, 0.01), 2},
+                                       {Placed(PointLoad{}, 0, 0.03), 1},
+                                       {HertzDisc::of_radius(0.01), 1}});
+  const auto two = Several::of_parts({{Placed(PointLoad{}, -0.02, 0), 1}, {Placed(PointLoad{}, 0.02, 0), 1}});
+  for (const auto& patch : {disc_and_point(), two, four}) {
+    const auto axes = CentredFrame::of(patch);
+    EXPECT_EQ(spread_slips(support_function(patch, axes), 1000).size(), 1000U);
+  }
+}
+
 TEST(Slips, LieOnTheLimitSurfaceAndItsPolar) {
   const Rectangle patch = Rectangle::of_sides(0.04, 0.01);
   const auto axes = CentredFrame::of(patch);
