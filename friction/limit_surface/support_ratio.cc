@@ -51,13 +51,13 @@ class Search {
     for (std::size_t k = 0; k < 4; ++k) push({corner(equator[k]), corner(equator[(k + 1) % 4]), pole});
   }
 
-  double run(double tolerance, int most_cones) {
+  LargestRatio run(double tolerance, int most_cones) {
     for (int k = 0; k < most_cones && cones_.top().bound > attained_ + tolerance; ++k) {
       const Cone cone = cones_.top();
       cones_.pop();
       split(cone.corners);
     }
-    return cones_.top().bound;
+    return {cones_.top().bound, attained_};
   }
 
  private:
@@ -90,18 +90,20 @@ class Search {
 
 }  // namespace
 
-double largest_ratio(const SupportFunction& a, const SupportFunction& b, double tolerance, int most_cones) {
+LargestRatio largest_ratio(const SupportFunction& a, const SupportFunction& b, double tolerance, int most_cones) {
   return Search(a, b).run(tolerance, most_cones);
 }
 
 GaugeSides GaugeSides::scaled(double factor) const {
-  return {std::max(0.0, (1 + largest_excess) * factor - 1), std::max(0.0, 1 - (1 - largest_deficit) * factor)};
+  return {std::max(0.0, (1 + largest_excess) * factor - 1), std::max(0.0, 1 - (1 - largest_deficit) * factor),
+          slack * factor};
 }
 
 GaugeSides gauge_sides(const SupportFunction& model, const SupportFunction& truth) {
   constexpr double tolerance = 1e-5;
-  return {std::max(0.0, largest_ratio(truth, model, tolerance) - 1),
-          std::max(0.0, 1 - 1 / largest_ratio(model, truth, tolerance))};
+  const LargestRatio excess = largest_ratio(truth, model, tolerance), deficit = largest_ratio(model, truth, tolerance);
+  const double slack = std::max(excess.bound - excess.attained, 1 / deficit.attained - 1 / deficit.bound);
+  return {std::max(0.0, excess.bound - 1), std::max(0.0, 1 - 1 / deficit.bound), std::max(0.0, slack)};
 }
 
 }  // namespace patchgrip::friction

@@ -11,25 +11,34 @@
 // bisected, the one of the largest bound first, along the edge over which the wrenches turn most, until the bound
 // exceeds a ratio that is attained by no more than the tolerance. The errors of both functions are counted in.
 //
-// Error    the result is never below the maximum; above it by <= tolerance, what the errors of the functions leave open
-//          (twice the sum of both, relative), and more where `most_cones` ended it.
+// Domain   support functions in a frame where both bodies are close to the unit ball (support_function.h), not 0.
+// Units    none: twists and wrenches of that frame.
+// Error    bound >= the maximum >= attained, up to the errors of the functions (both together once more, relative).
+//          bound - attained <= tolerance, unless `most_cones` ended the search: that is not hidden, the numbers show it.
 #pragma once
 
 #include <patchgrip/friction/limit_surface/support_function.h>
 
 namespace patchgrip::friction {
 
-double largest_ratio(const SupportFunction& a, const SupportFunction& b, double tolerance, int most_cones = 1 << 20);
+struct LargestRatio {
+  double bound;
+  double attained;
+};
+
+LargestRatio largest_ratio(const SupportFunction& a, const SupportFunction& b, double tolerance,
+                           int most_cones = 1 << 20);
 
 // A gauge that approximates g errs on two sides: (1 - largest_deficit) g <= approximation <= (1 + largest_excess) g.
 struct GaugeSides {
   double largest_excess;   // >= 0: asks for too much grip, safe
   double largest_deficit;  // >= 0: asks for too little, unsafe
+  double slack = 0;        // what either may be above the true maximum by
 
   GaugeSides scaled(double factor) const;  // of `factor` times the approximation
 };
 
-// Of the body of `model` against `truth`; neither is above the true maximum by more than 1e-5.
+// Of the body of `model` against `truth`, to a slack of 1e-5 and rounding unless the search ends early.
 GaugeSides gauge_sides(const SupportFunction& model, const SupportFunction& truth);
 
 }  // namespace patchgrip::friction

@@ -42,28 +42,35 @@ TEST(SupportRatio, OfEllipsoidsIsThatOfTheirAxes) {
     const double p = axis(), q = axis(), r = axis(), x = axis(), y = axis(), z = axis();
     const double angle = testing::uniform(engine, -3, 3), tolerance = testing::log_uniform(engine, 1e-5, 1e-2);
     const double largest = std::max({p / x, q / y, r / z});
-    const double bound = largest_ratio(turned(ellipsoid(p, q, r), angle), turned(ellipsoid(x, y, z), angle), tolerance);
-    EXPECT_GE(bound, largest);
-    EXPECT_LE(bound, largest + tolerance);
+    const LargestRatio ratio =
+        largest_ratio(turned(ellipsoid(p, q, r), angle), turned(ellipsoid(x, y, z), angle), tolerance);
+    EXPECT_GE(ratio.bound, largest);
+    EXPECT_LE(ratio.bound, largest + tolerance);
+    EXPECT_LE(ratio.attained, largest * (1 + 1e-14));
+    EXPECT_LE(ratio.bound - ratio.attained, tolerance);
   }
 }
 
 TEST(SupportRatio, OfABoxAndABallSeesTheCorners) {
-  const double outside = largest_ratio(turned(box(1, 1, 1), 0.3), ellipsoid(1, 1, 1), 1e-4);
+  const double outside = largest_ratio(turned(box(1, 1, 1), 0.3), ellipsoid(1, 1, 1), 1e-4).bound;
   EXPECT_GE(outside, std::sqrt(3));
   EXPECT_LE(outside, std::sqrt(3) + 1e-4);
-  const double inside = largest_ratio(ellipsoid(1, 1, 1), turned(box(1, 1, 1), 0.3), 1e-4);
+  const double inside = largest_ratio(ellipsoid(1, 1, 1), turned(box(1, 1, 1), 0.3), 1e-4).bound;
   EXPECT_GE(inside, 1);
   EXPECT_LE(inside, 1 + 1e-4);
 }
 
 TEST(SupportRatio, EndedEarlyItIsABoundStill) {
   const auto a = turned(box(1, 0.1, 1), 1), b = ellipsoid(1, 1, 0.2);
-  const double largest = largest_ratio(a, b, 1e-5);
-  double before = largest_ratio(a, b, 1e-5, 10);
+  const double largest = largest_ratio(a, b, 1e-5).bound;
+  double before = largest_ratio(a, b, 1e-5, 10).bound;
   for (const int cones : {30, 100, 300, 1000}) {
-    const double bound = largest_ratio(a, b, 1e-5, cones);
+    const auto [bound, attained] = largest_ratio(a, b, 1e-5, cones);
     EXPECT_GE(bound, largest - 1e-5);
+    EXPECT_LE(attained, largest);
+    if (cones < 1000) {
+      EXPECT_GT(bound - attained, 1e-5);  // what the early end left open is told
+    }
     EXPECT_LE(bound, before);
     before = bound;
   }
@@ -78,7 +85,7 @@ TEST(SupportRatio, CountsTheErrorsOfBothIn) {
       return at;
     };
   };
-  const double bound = largest_ratio(vague(ellipsoid(1, 1, 1), 0.02), vague(ellipsoid(1, 1, 1), 0.03), 1e-3);
+  const double bound = largest_ratio(vague(ellipsoid(1, 1, 1), 0.02), vague(ellipsoid(1, 1, 1), 0.03), 1e-3).bound;
   EXPECT_GE(bound, 1.02 * 1.03);
   EXPECT_LE(bound, 1.02 * 1.03 + 1.1e-3);
 }
@@ -90,6 +97,8 @@ TEST(GaugeSides, OfAModelOnBothSides) {
   const GaugeSides safe = sides.scaled(1.25);
   EXPECT_NEAR(safe.largest_deficit, 0, 1e-5);
   EXPECT_NEAR(safe.largest_excess, 0.5625, 2e-5);
+  EXPECT_LE(sides.slack, 1e-5);
+  EXPECT_EQ(safe.slack, 1.25 * sides.slack);
 }
 
 }  // namespace
