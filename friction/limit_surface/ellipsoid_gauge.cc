@@ -2,18 +2,24 @@
 
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <patchgrip/friction/limit_surface/enclosing_ellipsoid.h>
+#include <patchgrip/friction/limit_surface/slips.h>
 #include <patchgrip/friction/limit_surface/unit_fit.h>
 
 namespace patchgrip::friction {
 namespace {
 
 using Symmetric = std::array<double, 6>;
+
+constexpr std::size_t samples = 1000;
 
 // x . A x = row . (upper triangle of A)
 Eigen::Matrix<double, 1, 6> monomials(double x, double y, double z) {
@@ -26,9 +32,13 @@ Eigen::Matrix3d matrix(const Symmetric& a) {
   return A;
 }
 
-std::array<double, 6> root_of(const Eigen::Matrix3d& A) {
+std::array<double, 6> root_of(const char* shape, const Eigen::Matrix3d& A) {
   const Eigen::LLT<Eigen::Matrix3d> factors(A);
-  if (factors.info() != Eigen::Success) throw std::domain_error("the fitted quadric is no ellipsoid");
+  if (factors.info() != Eigen::Success) {
+    const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A).eigenvalues()[0];
+    throw std::domain_error(std::string(shape) + ": the least eigenvalue of the fitted quadric = " +
+                            std::to_string(least) + " must be positive, or it is no ellipsoid");
+  }
   const Eigen::Matrix3d U = factors.matrixU();
   return {U(0, 0), U(0, 1), U(0, 2), U(1, 1), U(1, 2), U(2, 2)};
 }
@@ -38,49 +48,53 @@ Symmetric entries(const Eigen::VectorXd& x) { return {x[0], x[1], x[2], x[3], x[
 }  // namespace
 
 EllipsoidGauge::EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, Shape shape)
-    : frame_(frame), U_(shape(spread_slips(D, 1000))) {
+    : frame_(frame), U_(shape(D)) {
   sides_ = gauge_sides([this](const Twist& v) { return support(v); }, D);
   if (shape == inner_shape) *this = safe();
   if (shape == enclosing_shape) *this = outer();
 }
 
-EllipsoidGauge::Root EllipsoidGauge::axis_shape(const std::vector<Slip>&) { return {1, 0, 0, 1, 0, 1}; }
+EllipsoidGauge::Root EllipsoidGauge::axis_shape(const SupportFunction&) { return {1, 0, 0, 1, 0, 1}; }
 
-EllipsoidGauge::Root EllipsoidGauge::least_squares_shape(const std::vector<Slip>& slips) {
+EllipsoidGauge::Root EllipsoidGauge::least_squares_shape(const SupportFunction& D) {
+  const std::vector<Slip> slips = spread_slips(D, samples);
   Eigen::MatrixXd rows(slips.size(), 6);
   Eigen::Index i = 0;
   for (const auto& [v, t] : slips) rows.row(i++) = monomials(t.fx, t.fy, t.m);
-  return root_of(matrix(entries(unit_fit(rows))));
+  return root_of("least_squares", matrix(entries(unit_fit(rows))));
 }
 
 // v . A^-1 v = D^2 to the least largest relative error: of the ellipsoid's own D, and so of its gauge.
-EllipsoidGauge::Root EllipsoidGauge::even_shape(const std::vector<Slip>& slips) {
+EllipsoidGauge::Root EllipsoidGauge::even_shape(const SupportFunction& D) {
+  const std::vector<Slip> slips = spread_slips(D, samples);
   Eigen::MatrixXd rows(slips.size(), 6);
   Eigen::Index i = 0;
   for (const auto& [v, t] : slips) rows.row(i++) = monomials(v.vx, v.vy, v.w);
   const Eigen::Matrix<double, 6, 1> ball{1, 0, 0, 1, 0, 1};
-  return root_of(matrix(entries(even_unit_fit(rows, {}, ball))).inverse());
+  return root_of("even", matrix(entries(even_unit_fit(rows, {}, ball))).inverse());
 }
 
 // {v : v . A^-1 v <= 1} of the least volume about the surface polar to the limit surface.
-EllipsoidGauge::Root EllipsoidGauge::inner_shape(const std::vector<Slip>& slips) {
+EllipsoidGauge::Root EllipsoidGauge::inner_shape(const SupportFunction& D) {
   std::vector<std::array<double, 3>> points;
-  for (const auto& [v, t] : slips) points.push_back({v.vx, v.vy, v.w});
-  return root_of(matrix(enclosing_ellipsoid(points, 1e-3)).inverse());
+  for (const auto& [v, t] : spread_slips(D, samples)) points.push_back({v.vx, v.vy, v.w});
+  return root_of("inner", matrix(enclosing_ellipsoid(points, 1e-3)).inverse());
 }
 
-EllipsoidGauge::Root EllipsoidGauge::enclosing_shape(const std::vector<Slip>& slips) {
+EllipsoidGauge::Root EllipsoidGauge::enclosing_shape(const SupportFunction& D) {
   std::vector<std::array<double, 3>> points;
-  for (const auto& [v, t] : slips) points.push_back({t.fx, t.fy, t.m});
-  return root_of(matrix(enclosing_ellipsoid(points, 1e-3)));
+  for (const auto& [v, t] : spread_slips(D, samples)) points.push_back({t.fx, t.fy, t.m});
+  return root_of("enclosing", matrix(enclosing_ellipsoid(points, 1e-3)));
 }
 
-Twist EllipsoidGauge::twist(const Wrench& t) const noexcept {
-  const Wrench s = root_times(frame_.local(t));
-  const double g = std::sqrt(s.fx * s.fx + s.fy * s.fy + s.m * s.m);
-  if (g == 0) return {};
-  return frame_.global(
-      Twist{U_[0] * s.fx / g, (U_[1] * s.fx + U_[3] * s.fy) / g, (U_[2] * s.fx + U_[4] * s.fy + U_[5] * s.m) / g});
+Gauge EllipsoidGauge::gauge(const Wrench& t) const noexcept {
+  const auto value = [this](const Wrench& scaled) { return std::sqrt(squared(scaled)); };
+  const auto twist = [this](const Wrench& scaled) {
+    const auto [x, y, z] = root_times(frame_.local(scaled));
+    const double g = std::sqrt(x * x + y * y + z * z);
+    return frame_.global(Twist{U_[0] * x / g, (U_[1] * x + U_[3] * y) / g, (U_[2] * x + U_[4] * y + U_[5] * z) / g});
+  };
+  return bracketed_gauge(t, frame_, sides_, value, twist);
 }
 
 Twist EllipsoidGauge::inverse_root_times(const Twist& v) const noexcept {

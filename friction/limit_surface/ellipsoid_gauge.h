@@ -18,19 +18,18 @@
 // The best safe ellipsoid is even().safe(): of all ellipsoids inside it asks for the least excess of grip at worst.
 //
 // Error    (1 - largest_deficit()) g <= gauge <= (1 + largest_excess()) g for every load, proven by bisection over all
-//          directions (support_ratio.h) and above the true maxima by <= 1e-5.
+//          directions (support_ratio.h) and above the true maxima by <= slack(), 1e-5 as a rule.
 //          even: 3.2 % too large, 3.0 % too small (Hertz disc); 7.1 % and 5.9 % (rectangle 4 : 1).
 // Cost     made in 2 to 50 ms.
-// Domain   every patch; loads whose squares neither overflow nor underflow.
+// Domain   every patch whose pressure lies not in one point (PointLoad); every load.
 // Units    wrench [N], [N], [N m]; gauge [N]; the gauge is the least mu F_N that holds the load.
-// Throws   std::domain_error where the fitted quadric is no ellipsoid.
+// Throws   std::invalid_argument as CentredFrame::of() (support_function.h); std::domain_error, naming the shape, where
+//          the fitted quadric is no ellipsoid.
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include <patchgrip/friction/limit_surface/cheap_gauge.h>
-#include <patchgrip/friction/limit_surface/slips.h>
 
 namespace patchgrip::friction {
 
@@ -58,20 +57,23 @@ class EllipsoidGauge {
   }
 
   double value(const Wrench& t) const noexcept {
-    const Wrench s = root_times(frame_.local(t));
-    return std::sqrt(s.fx * s.fx + s.fy * s.fy + s.m * s.m);
+    const double q = squared(t);
+    if (in_range(q)) [[likely]]
+      return std::sqrt(q);
+    return of_load_out_of_range(t, frame_, [this](const Wrench& s) { return std::sqrt(squared(s)); });
   }
 
   // Twist that the patch slips with under t, normal to the ellipsoid: t . twist = g(t). No load: no twist.
-  Twist twist(const Wrench& t) const noexcept;
+  Twist twist(const Wrench& t) const noexcept { return gauge(t).twist; }
 
   double dissipation(const Twist& v) const noexcept;  // of the model [m/s]
   Wrench gradient(const Twist& v) const noexcept;     // of the model's dissipation
 
-  Gauge gauge(const Wrench& t) const noexcept { return bracketed(value(t), twist(t), sides_, frame_, t); }
+  Gauge gauge(const Wrench& t) const noexcept;
 
   double largest_excess() const noexcept { return sides_.largest_excess; }
   double largest_deficit() const noexcept { return sides_.largest_deficit; }
+  double slack() const noexcept { return sides_.slack; }
 
   // The same shape, scaled to touch the limit surface from inside (never too small) or from outside (never too large).
   EllipsoidGauge safe() const { return scaled(1 / (1 - sides_.largest_deficit)); }
@@ -80,13 +82,13 @@ class EllipsoidGauge {
  private:
   // Rows of the upper triangular U, A = U^T U, in the frame: xx, xy, xw, yy, yw, ww.
   using Root = std::array<double, 6>;
-  using Shape = Root (*)(const std::vector<Slip>& slips);
+  using Shape = Root (*)(const SupportFunction& D);
 
-  static Root axis_shape(const std::vector<Slip>&);
-  static Root least_squares_shape(const std::vector<Slip>& slips);
-  static Root even_shape(const std::vector<Slip>& slips);
-  static Root inner_shape(const std::vector<Slip>& slips);
-  static Root enclosing_shape(const std::vector<Slip>& slips);
+  static Root axis_shape(const SupportFunction&);
+  static Root least_squares_shape(const SupportFunction& D);
+  static Root even_shape(const SupportFunction& D);
+  static Root inner_shape(const SupportFunction& D);
+  static Root enclosing_shape(const SupportFunction& D);
 
   template <Patch P>
   static EllipsoidGauge make(const P& patch, Shape shape) {
@@ -97,6 +99,10 @@ class EllipsoidGauge {
   EllipsoidGauge(const CentredFrame& frame, const SupportFunction& D, Shape shape);
   EllipsoidGauge scaled(double factor) const;
 
+  double squared(const Wrench& t) const noexcept {  // g(t)^2
+    const Wrench s = root_times(frame_.local(t));
+    return s.fx * s.fx + s.fy * s.fy + s.m * s.m;
+  }
   Wrench root_times(const Wrench& t) const noexcept {
     return {U_[0] * t.fx + U_[1] * t.fy + U_[2] * t.m, U_[3] * t.fy + U_[4] * t.m, U_[5] * t.m};
   }
@@ -107,5 +113,7 @@ class EllipsoidGauge {
   Root U_;
   GaugeSides sides_{};
 };
+
+static_assert(GaugeModel<EllipsoidGauge>);
 
 }  // namespace patchgrip::friction

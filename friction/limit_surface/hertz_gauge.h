@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include <patchgrip/friction/kernels/hertz_gauge.h>
-#include <patchgrip/friction/limit_surface/gauge.h>
+#include <patchgrip/friction/limit_surface/gauge_model.h>
 #include <patchgrip/friction/limit_surface/round_load.h>
 
 namespace patchgrip::friction {
@@ -24,6 +24,9 @@ namespace patchgrip::friction {
 class HertzGauge {
  public:
   static HertzGauge of_radius(double radius);
+
+  static constexpr double largest_excess() noexcept { return 8 * 0x1p-53; }
+  static constexpr double largest_deficit() noexcept { return 8 * 0x1p-53; }
 
   double value(const Wrench& load) const noexcept {
     return of_round_load(load, radius_, [](const kernels::HertzLoad& t) { return kernels::hertz_gauge(t); });
@@ -49,5 +52,7 @@ class HertzGauge {
   double radius_;  // a [m]
   double inverse_radius_;
 };
+
+static_assert(GaugeModel<HertzGauge>);
 
 }  // namespace patchgrip::friction

@@ -62,17 +62,19 @@ QuarticGauge::QuarticGauge(const CentredFrame& frame, const SupportFunction& D, 
   QuarticForm fitted = form(fit == Fit::even ? even_unit_fit(rows, conditions, start) : unit_fit(rows));
   if (fit == Fit::least_squares && !is_convex_enough(fitted)) fitted = form(unit_fit(rows, conditions, start));
   q_ = fitted;
-  for (double way = 1e-3; !is_convex_enough(q_) && way < 1; way *= 2) q_ = mixed(way, e4, 1 - way, fitted);
+  for (double way = 1e-3; !is_convex_enough(q_); way *= 2) q_ = way < 1 ? mixed(way, e4, 1 - way, fitted) : e4;
   sides_ = gauge_sides([this](const Twist& v) { return support(v); }, D);
 }
 
-Twist QuarticGauge::twist(const Wrench& t) const noexcept {
-  const Wrench s = frame_.local(t);
-  const double g = std::sqrt(std::sqrt(q_(s)));
-  if (g == 0) return {};
-  const Twist n = q_.gradient(s);
-  const double k = 1 / (4 * g * g * g);
-  return frame_.global(Twist{k * n.vx, k * n.vy, k * n.w});
+Gauge QuarticGauge::gauge(const Wrench& t) const noexcept {
+  const auto value = [this](const Wrench& scaled) { return std::sqrt(std::sqrt(q_(frame_.local(scaled)))); };
+  const auto twist = [&](const Wrench& scaled) {
+    const double g = value(scaled);
+    const Twist n = q_.gradient(frame_.local(scaled));
+    const double k = 1 / (4 * g * g * g);
+    return frame_.global(Twist{k * n.vx, k * n.vy, k * n.w});
+  };
+  return bracketed_gauge(t, frame_, sides_, value, twist);
 }
 
 // Minimises q(t) - t . v, convex: there grad q = v, and t . v = 4 q.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -121,6 +122,35 @@ GaugeSides judge(const Model& model, const P& patch, int count) {
     seen.largest_deficit = std::max(seen.largest_deficit, 1 - cheap.value / truth.value);
   }
   return seen;
+}
+
+// The gauge of a load of any size is that size times the gauge, and so is its bracket.
+template <class Model>
+void expect_every_size(const Model& model, const CentredFrame& axes) {
+  std::mt19937_64 engine(17);
+  for (int i = 0; i < testing::cases(50); ++i) {
+    const Wrench t = random_load(engine, axes);
+    const Gauge g = model.gauge(t);
+    EXPECT_NEAR(model.value(t), g.value, 1e-15 * g.value);
+    for (const int e : {-950, -700, -283, -100, 100, 283, 700, 900}) {
+      const Wrench s{std::scalbn(t.fx, e), std::scalbn(t.fy, e), std::scalbn(t.m, e)};
+      if (std::fpclassify(s.fx) == FP_SUBNORMAL || std::fpclassify(s.fy) == FP_SUBNORMAL ||
+          std::fpclassify(s.m) == FP_SUBNORMAL || s.fx == 0 || s.fy == 0 || s.m == 0)
+        continue;
+      const Gauge at = model.gauge(s);
+      EXPECT_NEAR(std::scalbn(model.value(s), -e), g.value, 4e-15 * g.value) << e;
+      EXPECT_EQ(std::scalbn(at.lower, -e), g.lower) << e;
+      EXPECT_EQ(std::scalbn(at.upper, -e), g.upper) << e;
+      EXPECT_EQ(at.twist.w, g.twist.w) << e;
+    }
+  }
+  // Subnormal: the bracket holds, as rough as it is.
+  const double unit = std::numeric_limits<double>::denorm_min();
+  const double exact = model.value({1, 0, 0});
+  const Gauge small = model.gauge({5 * unit, 0, 0});
+  EXPECT_LE(small.lower, 5 * exact * unit);
+  EXPECT_GE(small.upper, 5 * exact * unit * (1 - model.largest_excess()));
+  EXPECT_GT(small.value, 0);
 }
 
 // What holds of every convex gauge and its dissipation.

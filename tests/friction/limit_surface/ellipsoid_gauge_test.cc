@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ TEST(EllipsoidGauge, ErrsByNoMoreThanItSaysAndByAsMuchSafeNeverBelowOuterNeverAb
       EXPECT_NEAR(1 + gauge.safe().largest_excess(), both, 1e-14);
       EXPECT_LE(gauge.safe().largest_deficit(), 1e-15);
       EXPECT_LE(gauge.outer().largest_excess(), 1e-15);
+      EXPECT_LE(gauge.slack(), 1.3e-5);
       judge(gauge.safe(), patch, testing::cases(40));
       judge(gauge.outer(), patch, testing::cases(40));
     }
@@ -145,6 +147,41 @@ TEST(EllipsoidGauge, SizeAndPlaceOfThePatchMoveTheMomentAlone) {
     EXPECT_NEAR(twice.value({t.fx, t.fy, 2 * t.m}), g, 1e-10 * g);
     EXPECT_NEAR(away.value({t.fx, t.fy, t.m + 5 * t.fy + 7 * t.fx}), g, 1e-10 * g);
   }
+}
+
+TEST(EllipsoidGauge, HoldsOverTheWholeRangeOfDoubles) {
+  for_every_kind([](const std::string& kind, const auto& patch) {
+    SCOPED_TRACE(kind);
+    expect_every_size(EllipsoidGauge::axis(patch), CentredFrame::of(patch));
+  });
+}
+
+TEST(EllipsoidGauge, HasPartsThatArePointLoads) {
+  const auto gauge = EllipsoidGauge::even(disc_and_point());
+  judge(gauge, disc_and_point(), testing::cases(400));
+  EXPECT_LE(gauge.slack(), 1.3e-5);
+  judge(EllipsoidGauge::least_squares(disc_and_point()), disc_and_point(), testing::cases(400));
+}
+
+// All pressure in one point, to rounding or as far as its distance lets one see.
+template <class P>
+void expect_refused(const P& patch) {
+  for (auto* make : {EllipsoidGauge::axis<P>, EllipsoidGauge::least_squares<P>, EllipsoidGauge::even<P>,
+                     EllipsoidGauge::inner<P>, EllipsoidGauge::enclosing<P>}) {
+    try {
+      make(patch);
+      ADD_FAILURE() << "accepted";
+    } catch (const std::invalid_argument& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("moment about the centre of pressure = "), std::string::npos);
+    }
+  }
+}
+
+TEST(EllipsoidGauge, APointIsRefused) {
+  expect_refused(PointLoad{});
+  expect_refused(Placed(PointLoad{}, 0.3, 0.1));
+  expect_refused(Placed(HertzDisc::of_radius(1e-3), 1.5e12, 0));
+  expect_refused(Several::of_parts({{Placed(PointLoad{}, 0.1, 0.3), 1}, {Placed(PointLoad{}, 0.1, 0.3), 2}}));
 }
 
 TEST(EllipsoidGauge, NoLoadAsksForNothingAndLoadsThatAreNotFiniteForNoNumber) {

@@ -107,18 +107,43 @@ constexpr double rounding = 16 * 0x1p-53;  // of both and of their quotient
 
 TEST(FastHertzGauge, IsNeverTooSmallAndTooLargeByItsExcessAtMost) {
   const Sides sides = scan(FastHertzGauge::of_radius(a), a);
-  EXPECT_LE(sides.excess, FastHertzGauge::largest_excess + rounding);
-  EXPECT_GE(sides.excess, 0.9 * FastHertzGauge::largest_excess);
-  EXPECT_LE(sides.deficit, FastHertzGauge::largest_deficit + rounding);
+  EXPECT_LE(sides.excess, FastHertzGauge::largest_excess() + rounding);
+  EXPECT_GE(sides.excess, 0.9 * FastHertzGauge::largest_excess());
+  EXPECT_LE(sides.deficit, FastHertzGauge::largest_deficit() + rounding);
 }
 
 TEST(SeedGauge, ErrsOnBothSidesByAsMuchAsItSays) {
   const Sides sides = scan(SeedGauge::of_radius(a), a);
-  EXPECT_LE(sides.excess, SeedGauge::largest_excess);
-  EXPECT_GE(sides.excess, 0.97 * SeedGauge::largest_excess);
-  EXPECT_LE(sides.deficit, SeedGauge::largest_deficit);
-  EXPECT_GE(sides.deficit, 0.97 * SeedGauge::largest_deficit);
+  EXPECT_LE(sides.excess, SeedGauge::largest_excess());
+  EXPECT_GE(sides.excess, 0.97 * SeedGauge::largest_excess());
+  EXPECT_LE(sides.deficit, SeedGauge::largest_deficit());
+  EXPECT_GE(sides.deficit, 0.97 * SeedGauge::largest_deficit());
 }
+
+// Both brackets hold the true gauge, and the slip is the gradient of the value.
+template <class Cheap>
+void expect_model(const Cheap& cheap, double slip_error) {
+  const HertzGauge exact = HertzGauge::of_radius(a);
+  std::mt19937_64 engine(8);
+  for (int i = 0; i < cases(2000); ++i) {
+    const Wrench t = draw(engine), other = draw(engine);
+    const Gauge g = cheap.gauge(t), truth = exact.gauge(t);
+    EXPECT_NEAR(g.value, cheap.value(t), 4e-16 * g.value);
+    ASSERT_LE(g.lower, truth.upper);
+    ASSERT_GE(g.upper, truth.lower);
+    ASSERT_LE(g.upper - g.lower, 1.01 * (cheap.largest_excess() + cheap.largest_deficit()) * g.value + 1e-15 * g.value);
+    ASSERT_NEAR(power(t, g.twist), g.value, 2e-9 * g.value);
+    const double h = 1e-6 * g.value / cheap.value(other);
+    const auto along = [&](double k) {
+      return cheap.value({t.fx + k * other.fx, t.fy + k * other.fy, t.m + k * other.m});
+    };
+    ASSERT_NEAR(power(other, g.twist) * h, (along(h) - along(-h)) / 2, slip_error * g.value);
+  }
+}
+
+TEST(SeedGauge, BracketsTheGaugeAndSlipsAlongItsGradient) { expect_model(SeedGauge::of_radius(a), 1e-11); }
+
+TEST(FastHertzGauge, BracketsTheGaugeAndSlipsAsTheExactOne) { expect_model(FastHertzGauge::of_radius(a), 1e-8); }
 
 TEST(HertzGauge, HoldsOverTheWholeRangeOfDoubles) {
   const HertzGauge gauge = HertzGauge::of_radius(1);
@@ -127,6 +152,9 @@ TEST(HertzGauge, HoldsOverTheWholeRangeOfDoubles) {
     EXPECT_NEAR(g.value / size, 0.64118525286497914271, size < 1e-310 ? 1e-2 : 1e-15);
     EXPECT_NEAR(g.twist.vx / g.twist.w, 0.4686161848400172, size < 1e-310 ? 1e-2 : 1e-14);
     EXPECT_NEAR(FastHertzGauge::of_radius(1).value({0.3 * size, 0.4 * size, 0.2 * size}), g.value, 2e-9 * g.value);
+    const Gauge seed = SeedGauge::of_radius(1).gauge({0.3 * size, 0.4 * size, 0.2 * size});
+    EXPECT_LE(seed.lower, g.upper);
+    EXPECT_GE(seed.upper, g.lower);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -92,6 +93,7 @@ TEST(QuarticGauge, ErrsByNoMoreThanItSaysAndByAsMuchAndByLessThanAnyEllipsoid) {
         EXPECT_GE(seen.largest_excess, 0.8 * gauge.largest_excess() - 1e-3);
         EXPECT_GE(seen.largest_deficit, 0.8 * gauge.largest_deficit() - 1e-3);
       }
+      EXPECT_LE(gauge.slack(), 1.3e-5);
       judge(gauge.safe(), patch, testing::cases(40));
       judge(gauge.outer(), patch, testing::cases(40));
       EXPECT_LE(gauge.safe().largest_deficit(), 1e-15);
@@ -147,6 +149,24 @@ TEST(QuarticGauge, SizeAndPlaceOfThePatchMoveTheMomentAlone) {
     ASSERT_NEAR(twice.value({t.fx, t.fy, 2 * t.m}), g, 1e-9 * g);
     ASSERT_NEAR(away.value({t.fx, t.fy, t.m + 5 * t.fy + 7 * t.fx}), g, 1e-9 * g);
   }
+}
+
+TEST(QuarticGauge, HoldsOverTheWholeRangeOfDoubles) {
+  for_every_kind([](const std::string& kind, const auto& patch) {
+    SCOPED_TRACE(kind);
+    expect_every_size(QuarticGauge::least_squares(patch), CentredFrame::of(patch));
+  });
+}
+
+TEST(QuarticGauge, HasPartsThatArePointLoads) {
+  const auto gauge = QuarticGauge::even(disc_and_point());
+  judge(gauge, disc_and_point(), testing::cases(400));
+  EXPECT_LE(gauge.slack(), 1.3e-5);
+}
+
+TEST(QuarticGauge, APointIsRefused) {
+  EXPECT_THROW(QuarticGauge::even(PointLoad{}), std::invalid_argument);
+  EXPECT_THROW(QuarticGauge::least_squares(Placed(PointLoad{}, 0.3, 0.1)), std::invalid_argument);
 }
 
 TEST(QuarticGauge, NoLoadAsksForNothingAndLoadsThatAreNotFiniteForNoNumber) {
