@@ -3,6 +3,11 @@
 // Side conditions are matrices, affine in x, that are to be positive definite. An interior-point method: Newton's on
 // the objective plus a logarithmic barrier for every condition, the objective's weight growing.
 //
+// Domain   rows of full column rank: points that no form of the kind vanishes on.
+// Units    none: points of the frame of support_function.h, where forms and coefficients are of order 1.
+// Error    even_unit_fit: 1e-5 of its objective. What a form is worth is judged afterwards (support_ratio.h).
+// Throws   nothing.
+//
 // Private to the library: its public headers know no Eigen.
 #pragma once
 
