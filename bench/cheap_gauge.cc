@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <concepts>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -23,8 +24,7 @@
 #include <string>
 #include <vector>
 
-#include <patchgrip/bench/truth.h>
-#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/bench/gauge_patches.h>
 #include <patchgrip/friction/limit_surface/ellipsoid_gauge.h>
 #include <patchgrip/friction/limit_surface/fast_hertz_gauge.h>
 #include <patchgrip/friction/limit_surface/hertz_gauge.h>
@@ -32,12 +32,12 @@
 #include <patchgrip/friction/limit_surface/quartic_gauge.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
 #include <patchgrip/friction/limit_surface/seed_gauge.h>
-#include <patchgrip/friction/rectangle.h>
 #include <patchgrip/version.h>
 
 namespace {
 
 using namespace patchgrip::friction;
+using patchgrip::bench::for_every_patch;
 using patchgrip::bench::Truth;
 
 struct Row {
@@ -60,10 +60,31 @@ struct Loads {
   std::vector<double> truth;  // of the first of them
 };
 
+// visit(name, model) for every cheap gauge of the patch.
+template <class P, class Visit>
+void for_every_model(const P& patch, const Visit& visit) {
+  const auto even_ellipsoid = EllipsoidGauge::even(patch);
+  visit("ellipsoid_axis", EllipsoidGauge::axis(patch));
+  visit("ellipsoid_least_squares", EllipsoidGauge::least_squares(patch));
+  visit("ellipsoid_even", even_ellipsoid);
+  visit("ellipsoid_safe", even_ellipsoid.safe());
+  visit("ellipsoid_inner", EllipsoidGauge::inner(patch));
+  visit("ellipsoid_enclosing", EllipsoidGauge::enclosing(patch));
+  const auto even_quartic = QuarticGauge::even(patch);
+  visit("quartic_least_squares", QuarticGauge::least_squares(patch));
+  visit("quartic_even", even_quartic);
+  visit("quartic_safe", even_quartic.safe());
+  if constexpr (std::same_as<P, HertzDisc>) {
+    visit("seed", SeedGauge::of_radius(patch.radius()));
+    visit("fast", FastHertzGauge::of_radius(patch.radius()));
+    visit("exact", HertzGauge::of_radius(patch.radius()));
+  }
+}
+
 // Directions even in the frame of the centre of pressure.
 template <class P, class TruthOf>
-Loads random_loads(const P& patch, const TruthOf& truth_of) {
-  constexpr std::size_t count = 4096, judged = 500;
+Loads random_loads(const P& patch, const TruthOf& truth_of, std::size_t judged) {
+  constexpr std::size_t count = 4096;
   const auto frame = CentredFrame::of(patch);
   const LimitSurface surface(patch);
   std::mt19937_64 engine(1);
@@ -91,11 +112,12 @@ template <class Method>
   return method(t);
 }
 
+// Of up to `repetitions`, but three at the least, that take `seconds` together.
 template <class Method>
-double fastest_ns(const Method& method, const std::vector<Wrench>& loads, int repetitions) {
+double fastest_ns(const Method& method, const std::vector<Wrench>& loads, int repetitions, double seconds) {
   using Clock = std::chrono::steady_clock;
-  double best = 1e300;
-  for (int k = 0; k < repetitions; ++k) {
+  double best = 1e300, spent = 0;
+  for (int k = 0; k < repetitions && (k < 3 || spent < seconds * 1e9); ++k) {
     const auto start = Clock::now();
     double kept = 0;
     for (const Wrench& t : loads) kept += evaluate(method, t);
@@ -103,6 +125,7 @@ double fastest_ns(const Method& method, const std::vector<Wrench>& loads, int re
     volatile double sink = kept;
     static_cast<void>(sink);
     best = std::min(best, ns / static_cast<double>(loads.size()));
+    spent += ns;
   }
   return best;
 }
@@ -114,7 +137,8 @@ class Report {
 
   template <class Method>
   void add(const std::string& name, double parameter, const Method& method) {
-    Row row{patch_, name, parameter, fastest_ns(method, loads_.loads, repetitions_), 0, 0, 0};
+    constexpr double seconds = 0.05;
+    Row row{patch_, name, parameter, fastest_ns(method, loads_.loads, repetitions_, seconds), 0, 0, 0};
     for (std::size_t i = 0; i < loads_.truth.size(); ++i) {
       const double error = method(loads_.loads[i]) / loads_.truth[i] - 1;
       row.excess = std::max(row.excess, error);
@@ -124,17 +148,22 @@ class Report {
     rows.push_back(row);
   }
 
+  template <GaugeModel Model>
+  void add(const std::string& name, const Model& model) {
+    add(name, 0, [&](const Wrench& t) { return model.value(t); });
+  }
+
   template <class P>
-  void add_models_of_any(const P& patch) {
+  void add_all(const P& patch) {
     for (const double gap : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
       const LimitSurface surface(patch, {.relative_gap = gap});
       add("newton", gap, [&](const Wrench& t) { return surface.gauge(t).value; });
     }
-    const auto axis = EllipsoidGauge::axis(patch), even = EllipsoidGauge::even(patch);
-    const auto quartic = QuarticGauge::even(patch);
-    add("ellipsoid_axis", 0, [&](const Wrench& t) { return axis.value(t); });
-    add("ellipsoid_even", 0, [&](const Wrench& t) { return even.value(t); });
-    add("quartic_even", 0, [&](const Wrench& t) { return quartic.value(t); });
+    if constexpr (requires { patch.kernel(); }) {
+      const RoundLimitSurface surface(patch);
+      add("round", 0, [&](const Wrench& t) { return surface.gauge(t).value; });
+    }
+    for_every_model(patch, [this](const std::string& name, const auto& model) { add(name, model); });
   }
 
   std::vector<Row> rows;
@@ -145,103 +174,48 @@ class Report {
   int repetitions_;
 };
 
-template <class P>
-class Sides {
- public:
-  Sides(std::string patch, const P& patch_type, double direction)
-      : patch_(std::move(patch)), surface_(patch_type), frame_(CentredFrame::of(patch_type)), direction_(direction) {}
-
-  template <class Method>
-  void add(std::vector<Side>& sides, const std::string& name, const Method& method) const {
-    for (int i = 0; i <= 180; ++i) {
-      const double angle = i * 0.5, f = std::cos(angle * degree), m = std::sin(angle * degree);
-      const Wrench t = frame_.global(Wrench{f * std::cos(direction_ * degree), f * std::sin(direction_ * degree), m});
-      sides.push_back({patch_, name, direction_, angle, method(t) / surface_.gauge(t).value - 1});
-    }
-  }
-
-  void add_models_of_any(std::vector<Side>& sides) const {
-    const auto& patch = surface_.patch();
-    const auto axis = EllipsoidGauge::axis(patch), even = EllipsoidGauge::even(patch), safe = even.safe();
-    const auto quartic = QuarticGauge::even(patch), safe_quartic = quartic.safe();
-    add(sides, "ellipsoid_axis", [&](const Wrench& t) { return axis.value(t); });
-    add(sides, "ellipsoid_even", [&](const Wrench& t) { return even.value(t); });
-    add(sides, "ellipsoid_safe", [&](const Wrench& t) { return safe.value(t); });
-    add(sides, "quartic_even", [&](const Wrench& t) { return quartic.value(t); });
-    add(sides, "quartic_safe", [&](const Wrench& t) { return safe_quartic.value(t); });
-  }
-
- private:
-  static constexpr double degree = std::numbers::pi / 180;
-
-  std::string patch_;
-  LimitSurface<P> surface_;
-  CentredFrame frame_;
-  double direction_;
-};
-
-constexpr double radius = 5e-3;                                             // m
-constexpr double l_xi = 20e-3, l_eta = 5e-3;                                // m
-const std::vector<Point> l_shape{{0, 0},       {0.03, 0},    {0.03, 0.01},  // m
-                                 {0.01, 0.01}, {0.01, 0.02}, {0, 0.02}};
-
 std::vector<Row> measure(int repetitions) {
   std::vector<Row> rows;
-  const auto keep = [&](const Report& report) { rows.insert(rows.end(), report.rows.begin(), report.rows.end()); };
-
-  const auto disc = HertzDisc::of_radius(radius);
-  Report of_disc(
-      "hertz_disc",
-      random_loads(disc, [](const auto& twists) { return patchgrip::bench::power_disc_truth(radius, 1, twists); }),
-      repetitions);
-  const auto seed = SeedGauge::of_radius(radius);
-  const auto exact = HertzGauge::of_radius(radius);
-  const auto fast = FastHertzGauge::of_radius(radius);
-  const RoundLimitSurface round(disc);
-  of_disc.add("seed", 0, [&](const Wrench& t) { return seed.value(t); });
-  of_disc.add("fast", 0, [&](const Wrench& t) { return fast.value(t); });
-  of_disc.add("exact", 0, [&](const Wrench& t) { return exact.value(t); });
-  of_disc.add("round", 0, [&](const Wrench& t) { return round.gauge(t).value; });
-  of_disc.add_models_of_any(disc);
-  keep(of_disc);
-
-  const auto of_outline = [&](const std::string& name, const auto& patch, const std::vector<Point>& outline) {
-    Report report(
-        name, random_loads(patch, [&](const auto& twists) { return patchgrip::bench::polygon_truth(outline, twists); }),
-        repetitions);
-    report.add_models_of_any(patch);
-    keep(report);
-  };
-  const double x = l_xi / 2, y = l_eta / 2;
-  of_outline("rectangle", Rectangle::of_sides(l_xi, l_eta), {{-x, -y}, {x, -y}, {x, y}, {-x, y}});
-  of_outline("l_shape", Polygon::uniform(l_shape), l_shape);
+  for_every_patch([&](const std::string& name, const auto& patch, const auto& truth_of, std::size_t judged) {
+    Report report(name, random_loads(patch, truth_of, judged), repetitions);
+    report.add_all(patch);
+    rows.insert(rows.end(), report.rows.begin(), report.rows.end());
+  });
   return rows;
 }
 
 std::vector<Side> sides_of_all() {
+  constexpr double degree = std::numbers::pi / 180;
   std::vector<Side> sides;
-  const Sides disc("hertz_disc", HertzDisc::of_radius(radius), 0);
-  const auto seed = SeedGauge::of_radius(radius);
-  disc.add_models_of_any(sides);
-  disc.add(sides, "seed", [&](const Wrench& t) { return seed.value(t); });
-  for (const double direction : {0., 90.}) {
-    Sides("rectangle", Rectangle::of_sides(l_xi, l_eta), direction).add_models_of_any(sides);
-  }
+  for_every_patch([&](const std::string& patch_name, const auto& patch, const auto&, std::size_t) {
+    const LimitSurface surface(patch);
+    const auto frame = CentredFrame::of(patch);
+    for_every_model(patch, [&](const std::string& name, const GaugeModel auto& model) {
+      for (const double direction : {0., 90.}) {
+        for (int i = 0; i <= 180; ++i) {
+          const double angle = i * 0.5, f = std::cos(angle * degree), m = std::sin(angle * degree);
+          const Wrench t = frame.global(Wrench{f * std::cos(direction * degree), f * std::sin(direction * degree), m});
+          sides.push_back({patch_name, name, direction, angle, model.value(t) / surface.gauge(t).value - 1});
+        }
+      }
+    });
+  });
   return sides;
 }
 
 void print(std::ostream& out, const std::vector<Row>& rows) {
-  fmt::print(out, "{:12} {:16} {:>8} {:>10} {:>10} {:>10} {:>10}\n", "patch", "method", "gap", "ns", "error",
+  fmt::print(out, "{:16} {:24} {:>8} {:>10} {:>10} {:>10} {:>10}\n", "patch", "method", "gap", "ns", "error",
              "too large", "too small");
   for (const Row& row : rows) {
-    fmt::print(out, "{:12} {:16} {:>8} {:>10.4g} {:>10.1e} {:>10.1e} {:>10.1e}\n", row.patch, row.method,
+    fmt::print(out, "{:16} {:24} {:>8} {:>10.4g} {:>10.1e} {:>10.1e} {:>10.1e}\n", row.patch, row.method,
                row.parameter > 0 ? fmt::format("{:g}", row.parameter) : "", row.ns, row.error, row.excess, row.deficit);
   }
 }
 
 void write(std::ostream& out, const std::vector<Row>& rows) {
   fmt::print(out, "# patchgrip {} cheap_gauge\n", patchgrip::version);
-  fmt::print(out, "# ns: fastest of several repetitions; error: worst of 500 random loads, relative\n");
+  fmt::print(out,
+             "# ns: fastest of several repetitions; error: worst of 500 random loads (xydas_kao_disc: 60), relative\n");
   fmt::print(out, "patch,method,gap,ns,error\n");
   for (const Row& row : rows) {
     fmt::print(out, "{},{},{:g},{:.6g},{:.6g}\n", row.patch, row.method, row.parameter, row.ns, row.error);

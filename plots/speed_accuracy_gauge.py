@@ -1,46 +1,66 @@
-"""Error against time for the gauge of a load, all methods, on three patches."""
+"""Error against time for the gauge of a load: every model, a patch of every kind; below, the errors of the fastest."""
 
-import csv
-
+import gauge_models
 import style
-from style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, plt
+from gauge_models import MODELS, PATCHES
+from style import GREY, plt
 
-# Method in the table of the benchmark: name, colour, marker.
-METHODS = {
-    "ellipsoid_axis": ("axis ellipsoid", ORANGE, "s"),
-    "ellipsoid_even": ("best ellipsoid", SKY, "^"),
-    "seed": ("polynomial of Keppler 2006", RED, "D"),
-    "quartic_even": ("convex quartic", PURPLE, "v"),
-    "fast": ("Hertz, to $10^{-9}$", GREEN, "P"),
-    "exact": ("Hertz, exact", BLACK, "*"),
-    "round": ("any round patch, exact", GREY, "X"),
-    "newton": ("any patch: Newton, gap $10^{-1}$ to $10^{-12}$", BLUE, "o"),
-}
-SIZES = {"exact": 8, "seed": 8, "quartic_even": 4}
-PATCHES = {"hertz_disc": "Hertz disc", "rectangle": "rectangle 4 : 1", "l_shape": "L-shape"}
+COLUMNS = 4
+SIZES = {"exact": 8, "newton": 3}
+HOLLOW = ("ellipsoid_safe", "quartic_safe")
+FITTED = [model for model in MODELS if model.startswith(("ellipsoid", "quartic"))] + ["seed"]
 ROUNDING = 2.0**-53
+
+
+def look(model):
+    _, colour, marker, _ = MODELS[model]
+    return {"color": colour, "marker": marker, "markersize": SIZES.get(model, 4), "linewidth": 1, "markeredgewidth": 0.8,
+            "linestyle": "-" if model == "newton" else "", "markerfacecolor": "white" if model in HOLLOW else colour}
+
+
+def draw_times(axes, rows):
+    axes.axhline(ROUNDING, color=GREY, linewidth=0.8, linestyle="--")
+    for model, (name, *_) in MODELS.items():
+        of_model = [row for row in rows if row["method"] == model]
+        axes.loglog([float(row["ns"]) for row in of_model], [float(row["error"]) for row in of_model], label=name,
+                    **look(model))
+
+
+def draw_errors(axes, rows):
+    """A line a patch: what stands in one spot of the panels above."""
+    patches = list(PATCHES)
+    for model in FITTED:
+        of_model = [row for row in rows if row["method"] == model]
+        axes.semilogx([float(row["error"]) for row in of_model], [patches.index(row["patch"]) for row in of_model],
+                      **look(model))
+    axes.set_yticks(range(len(patches)), PATCHES.values())
+    axes.set_ylim(len(patches) - 0.5, -0.5)
+    axes.set_xlabel("worst relative error of the gauges that take 4 to 7 ns [-]")
 
 
 def main():
     options = style.arguments(__doc__, 1)
-    with options.input[0].open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    figure, panels = plt.subplots(1, len(PATCHES), sharex=True, sharey=True, figsize=(style.PAGE, 3.5))
-    for axes, (patch, title) in zip(panels, PATCHES.items()):
-        axes.axhline(ROUNDING, color=GREY, linewidth=0.8, linestyle="--")
-        for method, (name, colour, marker) in METHODS.items():
-            of_method = [row for row in rows if row["patch"] == patch and row["method"] == method]
-            axes.loglog([float(row["ns"]) for row in of_method], [float(row["error"]) for row in of_method], color=colour,
-                        marker=marker, markersize=SIZES.get(method, 5), linewidth=1, linestyle="-" if method == "newton" else "",
-                        label=name)
+    rows = gauge_models.read(options.input[0])
+    lines = -(-len(PATCHES) // COLUMNS)
+    figure = plt.figure(figsize=(style.PAGE, 9.2))
+    grid = figure.add_gridspec(lines + 1, COLUMNS, height_ratios=[1] * lines + [1.5])
+    panels = []
+    for k, (patch, title) in enumerate(PATCHES.items()):
+        first = panels[0] if panels else None
+        axes = figure.add_subplot(grid[k // COLUMNS, k % COLUMNS], sharex=first, sharey=first)
+        draw_times(axes, [row for row in rows if row["patch"] == patch])
         axes.set_title(title, loc="left")
-        axes.set_xlabel("time of a gauge [ns]")
-    panels[0].set_ylabel("worst relative error [-]")
-    panels[-1].text(0.03, 2 * ROUNDING, r"rounding, $2^{-53}$", color=GREY, ha="left", va="bottom",
-                    transform=panels[-1].get_yaxis_transform())
-    panels[0].set_xlim(2, 6e4)
-    panels[0].set_ylim(1e-17, 1)
-    figure.get_layout_engine().set(rect=(0, 0.2, 1, 0.8))
+        axes.tick_params(labelleft=k % COLUMNS == 0, labelbottom=k + COLUMNS >= len(PATCHES))
+        if k // COLUMNS == lines - 1:
+            axes.set_xlabel("time of a gauge [ns]")
+        panels.append(axes)
+    panels[0].set_xlim(2, 1e6)
+    panels[0].set_ylim(1e-17, 3)
+    panels[COLUMNS].set_ylabel("worst relative error of the gauge [-]")
+    panels[-2].text(0.04, 2 * ROUNDING, r"rounding, $2^{-53}$", color=GREY, ha="left", va="bottom", fontsize=7,
+                    transform=panels[-2].get_yaxis_transform())
+    draw_errors(figure.add_subplot(grid[lines, :]), rows)
+    figure.get_layout_engine().set(rect=(0, 0.12, 1, 0.88))
     figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=3, handlelength=1.5)
     style.save(figure, options.output)
 
