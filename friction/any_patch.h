@@ -14,8 +14,9 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
-#include <patchgrip/friction/patch.h>
+#include <patchgrip/friction/point_shares.h>
 #include <patchgrip/friction/stribeck_excess.h>
 
 namespace patchgrip::friction {
@@ -32,6 +33,7 @@ class AnyPatch {
   Hessian hessian(const Twist& v) const { return held_->hessian(v); }
   PressureMoments moments() const noexcept { return held_->moments(); }
   double area_radius() const noexcept { return held_->area_radius(); }
+  std::vector<PointShare> point_shares() const { return held_->point_shares(); }
 
   friend BoundedWrench stribeck_excess(const AnyPatch& patch, const Twist& u) noexcept {
     return patch.held_->excess(u);
@@ -47,6 +49,7 @@ class AnyPatch {
     virtual PressureMoments moments() const noexcept = 0;
     virtual double area_radius() const noexcept = 0;
     virtual BoundedWrench excess(const Twist&) const noexcept = 0;
+    virtual std::vector<PointShare> point_shares() const = 0;
   };
 
   template <class P>
@@ -66,6 +69,7 @@ class AnyPatch {
         return {{nan, nan, nan}, none, none};
       }
     }
+    std::vector<PointShare> point_shares() const override { return friction::point_shares(patch); }
     P patch;
   };
 

@@ -22,9 +22,10 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <patchgrip/contact/require.h>
-#include <patchgrip/friction/patch.h>
+#include <patchgrip/friction/point_shares.h>
 #include <patchgrip/friction/stribeck_excess.h>
 
 namespace patchgrip::friction {
@@ -76,6 +77,18 @@ class Placed {
   }
 
   double area_radius() const noexcept { return patch_.area_radius(); }
+
+  // Those at the patch's own origin, and where it is not turned those whose place is a double.
+  std::vector<PointShare> point_shares() const {
+    std::vector<PointShare> shares = friction::point_shares(patch_);
+    const auto exact = [](double a, double b) { return a + b - a == b && a + b - b == a; };
+    std::erase_if(shares, [&](const PointShare& p) {
+      return !(p.x == 0 && p.y == 0) && (is_turned() || !exact(x_, p.x) || !exact(y_, p.y));
+    });
+    for (PointShare& p : shares) p.x += x_, p.y += y_;
+    return shares;
+  }
+
   const P& patch() const noexcept { return patch_; }
   double x() const noexcept { return x_; }
   double y() const noexcept { return y_; }

@@ -12,8 +12,9 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
-#include <patchgrip/friction/patch.h>
+#include <patchgrip/friction/point_shares.h>
 
 namespace patchgrip::friction {
 
@@ -44,6 +45,7 @@ class PointLoad {
 
   PressureMoments moments() const noexcept { return {}; }
   double area_radius() const noexcept { return 0; }
+  std::vector<PointShare> point_shares() const { return {{0, 0, 1}}; }
 };
 
 }  // namespace patchgrip::friction

@@ -133,6 +133,15 @@ Hessian Several::hessian(const Twist& v) const {
 
 PressureMoments Several::moments() const noexcept { return data_->moments; }
 double Several::area_radius() const noexcept { return data_->area_radius; }
+
+std::vector<PointShare> Several::point_shares() const {
+  std::vector<PointShare> all;
+  for (const auto& [patch, weight] : data_->terms) {
+    for (const PointShare& p : patch.point_shares()) all.push_back({p.x, p.y, weight * p.share});
+  }
+  return all;
+}
+
 double Several::resistance() const noexcept { return data_->resistance; }
 double Several::normal_force() const noexcept { return data_->normal_force; }
 PressureMoments Several::pressure_moments() const noexcept { return data_->pressure_moments; }

@@ -45,6 +45,7 @@ class Several {
   Hessian hessian(const Twist& v) const;
   PressureMoments moments() const noexcept;  // of mu p
   double area_radius() const noexcept;
+  std::vector<PointShare> point_shares() const;
 
   double resistance() const noexcept;                 // R [N]
   double normal_force() const noexcept;               // sum of F_i [N]

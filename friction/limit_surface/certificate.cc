@@ -31,4 +31,9 @@ Bracket certify(const PressureFrame& frame, const Wrench& load, const Twist& v, 
   return b;
 }
 
+bool Bracket::narrow(double relative_gap) const noexcept {
+  const double width = upper - lower;
+  return width <= relative_gap * lower || (gap <= rounding && width <= std::sqrt(relative_gap) * lower);
+}
+
 }  // namespace patchgrip::friction

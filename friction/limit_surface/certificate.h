@@ -18,6 +18,9 @@ struct Bracket {
   double upper = std::numeric_limits<double>::infinity();
   double gap = std::numeric_limits<double>::infinity();  // |r_F| + |r_M| / min S
   double rounding = 0;                                   // what it is uncertain by
+
+  // As narrow as asked for, or all that is left is rounding.
+  bool narrow(double relative_gap) const noexcept;
 };
 
 // `g` is bounded_gradient(v), about the origin as v is.

@@ -8,21 +8,18 @@
 // gradient at v is the next one and takes the place of that of the three that keeps the ray within (simplex method).
 // With a point load at the pole the three end up on its facet, around the load.
 //
-// Vectors are scaled as in gauge_solver.h: (fx, fy, m / length) about the centroid.
+// Domain   patches whose kinks are not told (point_shares.h), and loads whose slip lies between several kinks.
+// Units    gradients (fx, fy, m / length) [1] and twists (vx, vy, w length) [m/s] about the centroid (pressure_frame.h).
+// Error    the three gradients and the load's residual carry it: gauge_solver.cc adds them up. Next to a kink rounding
+//          of the gradient leaves a bracket about 1e-8 wide.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include <patchgrip/friction/limit_surface/vector3.h>
+
 namespace patchgrip::friction {
-
-using Vector = std::array<double, 3>;
-
-inline double dot(const Vector& a, const Vector& b) noexcept { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-inline Vector cross(const Vector& a, const Vector& b) noexcept {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 class CuttingPlanes {
  public:

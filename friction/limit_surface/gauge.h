@@ -19,10 +19,10 @@ namespace patchgrip::friction {
 
 enum class GaugeStatus {
   converged,  // the bracket is as narrow as the settings ask for, or as rounding of the patch allows
-  ridge,      // the same, but other slips serve as well: all pressure lies on one line
-  facet,    // at a kink of D, where many loads start one slip about a point load: the bracket is narrower than the root
-            // of what the settings ask for
-  stalled,  // the bracket holds, but is wider than asked for
+  ridge,  // the same, but other slips serve as well: all pressure lies on one line, and the pole anywhere on a part of
+          // it between two point loads or beyond their ends
+  facet,  // the same, and proven to slip about a point load, where many loads start one slip (point_slip.h)
+  stalled,     // the bracket holds, but is wider than asked for, and nothing more is known of the slip
   not_finite,  // the load is not finite: value, bracket and twist are not-a-number
 };
 
@@ -37,7 +37,7 @@ struct Gauge {
 
 struct GaugeSettings {
   double relative_gap = 1e-12;  // (upper - lower) / value where rounding allows it, in [1e-15, 1)
-  int max_evaluations = 100;    // of grad D, >= 1; loads on a facet may take 3 more
+  int max_evaluations = 100;    // of grad D, >= 1; loads next to a kink may take a few more
 
   // Throws std::invalid_argument, naming the setting.
   void check() const;

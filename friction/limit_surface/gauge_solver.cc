@@ -8,6 +8,7 @@
 
 #include <patchgrip/friction/limit_surface/certificate.h>
 #include <patchgrip/friction/limit_surface/cutting_planes.h>
+#include <patchgrip/friction/limit_surface/point_slip.h>
 
 namespace patchgrip::friction {
 namespace {
@@ -17,9 +18,22 @@ constexpr double unit = 0x1p-53;
 // Newton's method needs up to 15, with the pole on a line load; more, and D has a kink.
 constexpr int smooth_evaluations = 25;
 
-Vector moved(const Vector& a, double k, const Vector& b) noexcept {
-  return {a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]};
-}
+// The same where kinks are known, and away from them D is smooth.
+constexpr int kinked_evaluations = 12;
+
+// Of the pressure along a force across a line load, in squared radii of gyration: a start with the pole off the line.
+constexpr double least_spread = 1e-12;
+
+// What Newton's matrix is raised by, of its trace: some tens of its rounding.
+constexpr double raise = 1e-14;
+
+// A curvature of D below this many raises is none that rounding of the gradient could tell: the pole would be uncertain by
+// 2^-53 / (least_curvature * raise), a millionth of a radius.
+constexpr double least_curvature = 1e4;
+
+// How far off a line load its Hessian is taken, in radii of gyration: there it is about 1 / aside, and good to
+// 2^-53 / aside.
+constexpr double aside = 1e-6;
 
 double force_size(const Wrench& t) noexcept { return std::hypot(t.fx, t.fy); }
 
@@ -43,28 +57,41 @@ class Maximiser {
         settings_(settings),
         load_(load),
         arm_(std::fabs(frame.x) + std::fabs(frame.y)),
-        t_(about_centroid(load)) {}
+        t_(frame.about_centroid(load)) {}
 
   Gauge run() noexcept {
-    Iterate now = best_ = at(start());
-    const int last = std::min(settings_.max_evaluations, smooth_evaluations);
+    if (const Kink* kink = likely_kink(frame_, load_)) {
+      if (const auto gauge = gauge_at(*kink, patch_, frame_, load_, settings_, evaluations_)) return *gauge;
+    }
+    climb(start());
+    for (std::size_t i = 0; i < frame_.kinks.size() && !narrow(best_.bracket); ++i) {
+      // It got stuck at a kink, to stay there or not.
+      const Kink& kink = *nearest_kink(frame_, best_.v);
+      if (const auto gauge = gauge_at(kink, patch_, frame_, load_, settings_, evaluations_)) return *gauge;
+      const auto away = away_from(kink, patch_, frame_, load_, evaluations_);
+      if (!away || evaluations_ >= settings_.max_evaluations) break;
+      climb(frame_.about_centroid(*away));
+    }
+    if (narrow(best_.bracket)) {
+      polish();
+      if (frame_.is_line()) newton_step(best_);
+      return result(ridge_ ? GaugeStatus::ridge : GaugeStatus::converged);
+    }
+    return result(cut() ? GaugeStatus::converged : GaugeStatus::stalled);
+  }
+
+ private:
+  // Newton's method from u.
+  void climb(const Vector& u) noexcept {
+    Iterate now = best_ = at(u);
+    const int most = frame_.kinks.empty() ? smooth_evaluations : kinked_evaluations;
+    const int last = std::min(settings_.max_evaluations, evaluations_ + most);
     while (!narrow(best_.bracket) && evaluations_ < last) {
       const std::optional<Vector> step = newton_step(now);
       if (!step) break;
       now = along(now, *step);
       if (now.bracket.gap < best_.bracket.gap) best_ = now;
     }
-    if (narrow(best_.bracket)) {
-      if (!as_asked(best_.bracket) && evaluations_ < last) polish(now);
-      if (frame_.is_line()) newton_step(best_);
-      return result(ridge_ ? GaugeStatus::ridge : GaugeStatus::converged);
-    }
-    return result(cut() ? GaugeStatus::facet : GaugeStatus::stalled);
-  }
-
- private:
-  Vector about_centroid(const Wrench& t) const noexcept {
-    return {t.fx, t.fy, (t.m - (frame_.x * t.fy - frame_.y * t.fx)) / frame_.length};
   }
 
   // The pole's distance times |M|, in the direction of the force: finite for pure forces and pure moments.
@@ -72,46 +99,44 @@ class Maximiser {
     const double F2 = t_[0] * t_[0] + t_[1] * t_[1];
     if (F2 == 0) return {0, 0, t_[2]};
     const double xx = frame_.xx, xy = frame_.xy, yy = frame_.yy;
-    // Not 0, as it is for a force across a line load.
-    const double along = std::max((t_[0] * t_[0] * xx + 2 * t_[0] * t_[1] * xy + t_[1] * t_[1] * yy) / F2, 1e-12);
-    const double across = 3 * (xx + yy - along);
+    const double along = (t_[0] * t_[0] * xx + 2 * t_[0] * t_[1] * xy + t_[1] * t_[1] * yy) / F2;
+    const double across = std::max(3 * (xx + yy - along), 0.);
     const double M = std::fabs(t_[2]);
-    // None for a force along a line load.
-    const double k = along + (across > 0 ? across * M / (M + std::sqrt(M * M + across * F2)) : 0);
+    const double root = M + std::sqrt(M * M + across * F2);
+    // Both are 0 on a line load: the first for a force across it, the second along it.
+    const double k = std::max(along, least_spread) + (root > 0 ? across * M / root : 0);
     return {k * t_[0], k * t_[1], t_[2]};
   }
 
   Iterate at(const Vector& direction) noexcept {
     Iterate i;
     i.u = direction;
-    const double w = direction[2] / frame_.length;
-    i.v = {std::fma(w, frame_.y, direction[0]), std::fma(-w, frame_.x, direction[1]), w};
+    i.v = frame_.about_origin(direction);
     i.g = patch_.gradient(patch_.patch, i.v);
     ++evaluations_;
-    i.gradient = about_centroid(i.g.value);
+    i.gradient = frame_.about_centroid(i.g.value);
     i.dissipation = power(i.g.value, i.v);
     i.value = power(load_, i.v) / i.dissipation;
     i.bracket = certify(frame_, load_, i.v, i.g);
     return i;
   }
 
-  bool as_asked(const Bracket& b) const noexcept { return b.upper - b.lower <= settings_.relative_gap * b.lower; }
-
-  bool narrow(const Bracket& b) const noexcept {
-    return as_asked(b) || (b.gap <= b.rounding && b.upper - b.lower <= std::sqrt(settings_.relative_gap) * b.lower);
-  }
+  bool narrow(const Bracket& b) const noexcept { return b.narrow(settings_.relative_gap); }
 
   // One step more leaves of the bracket what the patch's own bounds are wide.
-  void polish(Iterate& now) noexcept {
-    const std::optional<Vector> step = newton_step(now);
+  void polish() noexcept {
+    const auto width = [](const Bracket& b) { return b.upper - b.lower; };
+    if (width(best_.bracket) <= settings_.relative_gap * best_.bracket.lower) return;
+    if (evaluations_ >= settings_.max_evaluations) return;
+    const std::optional<Vector> step = newton_step(best_);
     if (!step) return;
-    const Iterate next = along(now, *step);
-    if (next.bracket.upper - next.bracket.lower < best_.bracket.upper - best_.bracket.lower) best_ = next;
+    const Iterate next = along(best_, *step);
+    if (width(next.bracket) < width(best_.bracket)) best_ = next;
   }
 
   // Where the Hessian is infinite (the pole on a line load) it is taken with the pole a little aside.
   Twist beside(const Twist& v) const noexcept {
-    const double shift = 1e-6 * frame_.length * v.w;
+    const double shift = aside * frame_.length * v.w;
     return {v.vx + 0.8 * shift, v.vy - 0.6 * shift, v.w};
   }
 
@@ -121,17 +146,13 @@ class Maximiser {
     for (double& x : i.u) x *= k;
     Hessian h;
     if (!patch_.hessian(patch_.patch, i.v, h) && !patch_.hessian(patch_.patch, beside(i.v), h)) return std::nullopt;
-    // About the centroid: v_origin = A v_c, A = [1 0 y; 0 1 -x; 0 0 1].
-    const double x = frame_.x, y = frame_.y, L = frame_.length;
-    const double xw = h.xw + y * h.xx - x * h.xy;
-    const double yw = h.yw + y * h.xy - x * h.yy;
-    const double ww = h.ww + y * (h.xw + xw) - x * (h.yw + yw);
+    h = frame_.about_centroid(h);
     const Vector& g = i.gradient;
     const double D = i.dissipation;  // H is that of v: D(k v) H(k v) = D(v) H(v)
-    const double m00 = D * h.xx + g[0] * g[0], m01 = D * h.xy + g[0] * g[1], m02 = D * xw / L + g[0] * g[2];
-    const double m11 = D * h.yy + g[1] * g[1], m12 = D * yw / L + g[1] * g[2];
-    const double m22 = D * ww / (L * L) + g[2] * g[2];
-    const double floor = 1e-14 * (m00 + m11 + m22);
+    const double m00 = D * h.xx + g[0] * g[0], m01 = D * h.xy + g[0] * g[1], m02 = D * h.xw + g[0] * g[2];
+    const double m11 = D * h.yy + g[1] * g[1], m12 = D * h.yw + g[1] * g[2];
+    const double m22 = D * h.ww + g[2] * g[2];
+    const double floor = raise * (m00 + m11 + m22);
     const Vector r = moved(t_, -i.value, g);
     // Cholesky
     const double d0 = m00 + floor;
@@ -146,7 +167,7 @@ class Maximiser {
     const double s1 = z1 / d1 - l3 * s2;
     const double s0 = z0 / d0 - l1 * s1 - l2 * s2;
     if (!std::isfinite(s0 + s1 + s2)) return std::nullopt;
-    ridge_ = frame_.is_line() && std::min(d1, d2) <= 1e4 * floor;
+    ridge_ = frame_.is_line() && std::min(d1, d2) <= least_curvature * floor;
     return Vector{s0, s1, s2};
   }
 
@@ -178,10 +199,10 @@ class Maximiser {
             i.g.moment_error + arm_ * (i.g.force_error + 2 * rounding) + 2 * unit * std::fabs(i.g.value.m)};
   }
 
-  // True if a facet holds the load: three planes that differ agree on its gauge.
+  // True if three planes agree on the gauge as closely as asked for.
   bool cut() noexcept {
     CuttingPlanes planes(t_, plane(at({0, 0, 1})));
-    Bracket b = best_.bracket;
+    Bracket b = std::isfinite(best_.value) ? best_.bracket : Bracket{};
     const auto look_at = [&](const Vector& u) {
       best_ = at(u);
       b.lower = std::max(b.lower, best_.bracket.lower);
@@ -197,7 +218,7 @@ class Maximiser {
     look_at(moved(kink.u, 1e-8 * std::sqrt(dot(kink.u, kink.u)), {1, 0, 0}));
     best_ = kink;
     best_.bracket = b;
-    return b.upper - b.lower <= std::sqrt(settings_.relative_gap) * b.lower;
+    return b.upper - b.lower <= settings_.relative_gap * b.lower;
   }
 
   double upper_bound(const CuttingPlanes& planes) const noexcept {

@@ -14,9 +14,17 @@
 //              F -> 0 on a Hertz disc.
 // Overshoot    A step is cut to where the tangents of D at its ends meet, next to the least of D however sharp that is;
 //              where that is too far still, to the least of the cubic through both ends.
-// Kinks        of D (point loads) are left to cutting_planes.h.
+// Kinks        of D (point loads) are asked first whether the slip is theirs (point_slip.h); Newton's method that gets
+//              stuck at one is started again away from it. Kinks that a patch does not tell are left to
+//              cutting_planes.h.
+//
+// Domain       every load, every patch that has a PressureFrame. On a ridge (gauge.h) the slip is one of those that serve.
+// Units        as gauge.h.
+// Error        the bracket: certificate.h, point_slip.h, cutting_planes.h.
 // Cost         3.3 (disc) to 4.1 evaluations (rectangle, aspect 1000) in the mean, 8 in 99 %, at most 11 in 1e5 random
-//              loads each; 15 for some with the pole on a line load.
+//              loads each; 15 for some with the pole on a line load. Between point loads 0.3 to 5 in the mean, at most 25
+//              but for one in 1e5: on a facet none.
+// Throws       nothing.
 #pragma once
 
 #include <patchgrip/friction/limit_surface/gauge.h>

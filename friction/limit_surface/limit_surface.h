@@ -19,12 +19,13 @@ template <Patch P>
 class LimitSurface {
  public:
   explicit LimitSurface(P patch, const GaugeSettings& settings = {})
-      : patch_(std::move(patch)), settings_(settings), frame_(view(patch_), patch_.moments()) {
+      : patch_(std::move(patch)), settings_(settings), frame_(view(patch_), patch_.moments(), point_shares(patch_)) {
     settings_.check();
   }
 
   const P& patch() const noexcept { return patch_; }
   const GaugeSettings& settings() const noexcept { return settings_; }
+  const PressureFrame& frame() const noexcept { return frame_; }
 
   Gauge gauge(const Wrench& load) const noexcept { return maximise(view(patch_), frame_, load, settings_); }
 

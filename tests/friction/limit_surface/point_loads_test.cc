@@ -1,13 +1,18 @@
 // Where D has kinks or straight pieces: point loads, loads on a line, a ring.
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <random>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <patchgrip/friction/limit_surface/limit_surface.h>
+#include <patchgrip/friction/limit_surface/slip_error.h>
 #include <patchgrip/friction/ring.h>
-#include <patchgrip/tests/friction/limit_surface/loads.h>
 #include <patchgrip/tests/friction/limit_surface/point_loads.h>
 
 namespace patchgrip::friction {
@@ -15,67 +20,220 @@ namespace {
 
 using ::patchgrip::testing::cases;
 
-const PointLoads three({{-1, 0, 0.3}, {1, 0, 0.3}, {0, 1.3, 0.4}});
+using ::testing::ThrowsMessage;
 
-// A load on the facet of the third point: what the others bear slipping about it, and half of what it can bear itself.
-Wrench on_facet() {
-  const Wrench others = three.gradient(twist_about({0, 1.3}, 1));
-  return {others.fx + 0.12, others.fy - 0.16, others.m - 1.3 * 0.12};
-}
+class PointLoads : public ::testing::TestWithParam<PointScene> {};
 
-TEST(PointLoads, FacetIsToldAndItsGaugeBracketed) {
-  const LimitSurface surface(three);
-  const Gauge g = surface.gauge(on_facet());
-  EXPECT_EQ(g.status, GaugeStatus::facet);
-  EXPECT_NEAR(g.value, 1, 1e-9);
-  EXPECT_LE(g.lower, 1);
-  EXPECT_GE(g.upper, 1);
-  EXPECT_LE(g.upper - g.lower, 1e-6);
-  EXPECT_NEAR(-g.twist.vy / g.twist.w, 0, 1e-8);
-  EXPECT_NEAR(g.twist.vx / g.twist.w, 1.3, 1e-8);
-}
+INSTANTIATE_TEST_SUITE_P(Scenes, PointLoads, ::testing::ValuesIn(point_scenes()), [](const auto& given) {
+  std::string name = given.param.name;
+  std::ranges::replace(name, ' ', '_');
+  return name;
+});
 
-TEST(PointLoads, EveryLoadIsBracketed) {
-  for (const PointLoads& patch :
-       {three, PointLoads({{-1, 0, 0.5}, {1, 0, 0.5}}), PointLoads({{-1, 0.1, 0.2}, {1, 0, 0.1}, {0, 1.3, 0.7}}),
-        PointLoads({{-1, 0.1, 0.2}, {1, 0, 0.1}, {0, 1.3, 0.3}, {0.1, 0.2, 0.4}})}) {
-    const LimitSurface surface(patch);
-    std::mt19937_64 engine(1);
-    int facets = 0;
-    for (int i = 0; i < cases(1000); ++i) {
-      const Wrench t = draw_load(engine, patch.moments());
+constexpr LoadKind load_kinds[] = {LoadKind::exact, LoadKind::nearly_exact, LoadKind::any, LoadKind::rim_of_facet};
+
+// Gauge, pole and slip of every load are where their errors say, by 50 digits. Where the slip is not told the gauge is
+// compared with t . v / D(v) alone, which is the gauge to the second order.
+TEST_P(PointLoads, GaugesAndSlipsAreWithinTheirErrors) {
+  const PointScene& scene = GetParam();
+  const LimitSurface surface(scene.patch());
+  const GaugeReference reference = scene.reference();
+  std::mt19937_64 engine(1);
+  for (const LoadKind kind : load_kinds) {
+    int told = 0, facets = 0, unproven = 0;
+    const int count = cases(60);
+    for (int i = 0; i < count; ++i) {
+      const Wrench t = draw_load(engine, kind, scene, surface.patch());
+      SCOPED_TRACE(::testing::Message() << std::setprecision(17) << t.fx << ' ' << t.fy << ' ' << t.m);
       const Gauge g = surface.gauge(t);
-      ASSERT_TRUE(g.status == GaugeStatus::converged || g.status == GaugeStatus::facet)
-          << t.fx << ' ' << t.fy << ' ' << t.m;
-      ASSERT_LE(g.lower, g.value);
-      ASSERT_GE(g.upper, g.value);
-      ASSERT_LE(g.upper - g.lower, 1e-6 * g.value);
-      // No motion tells of a larger gauge.
-      for (int k = 0; k < 20; ++k) {
-        const Wrench d = draw_load(engine, patch.moments());
-        const Twist v{d.fx, d.fy, d.m};
-        ASSERT_LE(power(t, v) / patch.dissipation(v), g.upper);
-      }
+      ASSERT_NE(g.status, GaugeStatus::stalled);
+      ASSERT_LE(g.upper - g.lower, 1e-12 * g.value);
       facets += g.status == GaugeStatus::facet;
+      const SlipError error = slip_error(g, t, view(surface.patch()), surface.frame());
+      if (!std::isfinite(error.pole_error)) {
+        const Real50 truth = reference.lower(t, g.twist);
+        ASSERT_LE(truth, g.upper);
+        ASSERT_GE(truth, g.lower);
+        continue;
+      }
+      ++told;
+      const auto truth = reference.slip(t, g.twist);
+      if (!truth) {
+        ++unproven;
+        continue;
+      }
+      ASSERT_LE(g.lower, truth->gauge);
+      ASSERT_GE(g.upper, truth->gauge);
+      const auto length = [](const Real50& x, const Real50& y) { return Real50(sqrt(x * x + y * y)); };
+      ASSERT_LE(length(truth->x - error.pole.x, truth->y - error.pole.y), error.pole_error);
+      ASSERT_LE(length(truth->twist[0] - g.twist.vx, truth->twist[1] - g.twist.vy), error.speed);
+      ASSERT_LE(abs(truth->twist[2] - g.twist.w), error.spin);
     }
-    if (all_cases()) EXPECT_GT(facets, 100);
+    EXPECT_LE(unproven, 0.03 * count);
+    if (kind == LoadKind::any) {
+      EXPECT_GE(told, 0.99 * count);
+    }
+    if (kind == LoadKind::rim_of_facet) {
+      EXPECT_GE(facets, 0.2 * count);
+    }
   }
 }
 
-// All poles beyond the ends of the line share the wrench (0, 1, 0).
-TEST(PointLoads, RidgeOfALineIsTold) {
-  const LimitSurface surface(PointLoads({{-1, 0, 0.2}, {0, 0, 0.6}, {1, 0, 0.2}}));
-  const Gauge g = surface.gauge({0, 2, 0});
-  EXPECT_EQ(g.status, GaugeStatus::ridge);
-  EXPECT_NEAR(g.value, 2, 1e-15);
-  EXPECT_EQ(surface.gauge({0.3, 1, 0.1}).status, GaugeStatus::converged);
+// Away from rims the pole is known closely: errors that hold because they are large would be of no use.
+TEST_P(PointLoads, ErrorsOfPolesAreSmall) {
+  const PointScene& scene = GetParam();
+  const LimitSurface surface(scene.patch());
+  const double length = std::sqrt(surface.patch().moments().polar);
+  std::mt19937_64 engine(2);
+  std::vector<double> errors;
+  for (int i = 0; i < cases(400); ++i) {
+    const Wrench t = draw_load(engine, LoadKind::any, scene, surface.patch());
+    const Gauge g = surface.gauge(t);
+    errors.push_back(slip_error(g, t, view(surface.patch()), surface.frame()).pole_error / length);
+  }
+  std::ranges::sort(errors);
+  EXPECT_LE(errors[errors.size() / 2], 1e-9);
+  EXPECT_LE(errors[errors.size() * 9 / 10], 1e-6);
 }
 
-TEST(PointLoads, ASinglePointHasNoLimitSurface) {
-  EXPECT_THROW(LimitSurface(PointLoads({{0.3, 0.2, 1}})), std::invalid_argument);
+TEST_P(PointLoads, NoLoadTakesManyEvaluations) {
+  const PointScene& scene = GetParam();
+  const LimitSurface surface(scene.patch());
+  std::mt19937_64 engine(3);
+  for (const LoadKind kind : load_kinds) {
+    double sum = 0;
+    const int count = cases(1000);
+    for (int i = 0; i < count; ++i) {
+      const Gauge g = surface.gauge(draw_load(engine, kind, scene, surface.patch()));
+      ASSERT_NE(g.status, GaugeStatus::stalled);
+      ASSERT_LE(g.upper - g.lower, 1e-12 * g.value);
+      ASSERT_LE(g.evaluations, 40);
+      sum += g.evaluations;
+    }
+    EXPECT_LE(sum / count, 6);
+  }
 }
 
-TEST(PointLoads, RingWithThePoleOnItConverges) {
+PointScene tripod() { return point_scenes()[5]; }
+
+// On the facet of the third foot: what the others bear slipping about it, and half of what it can bear itself.
+TEST(PointLoadFacet, IsAnsweredWithoutIteration) {
+  const LimitSurface surface(tripod().patch());
+  const Wrench others = surface.patch().gradient(twist_about({0, 1.3}, 1));
+  const Gauge g = surface.gauge({others.fx + 0.12, others.fy - 0.16, others.m - 1.3 * 0.12});
+  EXPECT_EQ(g.status, GaugeStatus::facet);
+  EXPECT_EQ(g.evaluations, 0);
+  EXPECT_NEAR(g.value, 1, 1e-15);
+  EXPECT_LE(g.upper - g.lower, 1e-13);
+  const SlipError error = slip_error(g, {others.fx + 0.12, others.fy - 0.16, others.m - 1.3 * 0.12},
+                                     view(surface.patch()), surface.frame());
+  EXPECT_EQ(error.pole.x, 0);
+  EXPECT_EQ(error.pole.y, 1.3);
+  EXPECT_EQ(error.pole_error, 0);
+}
+
+// Two feet bear what two discs of force do: across the line statics tells the shares, along it they help each other.
+TEST(PointLoadPair, GaugeIsThatOfTwoDiscs) {
+  const LimitSurface surface(point_scenes()[0].patch());
+  std::mt19937_64 engine(4);
+  for (int i = 0; i < cases(400); ++i) {
+    const Wrench t = draw_load(engine, load_kinds[i % 4], point_scenes()[0], surface.patch());
+    const Real50 q1 = abs(Real50(t.fy) / 2 - Real50(t.m) / (2 * Real50(0.02))),
+                 q2 = abs(Real50(t.fy) / 2 + Real50(t.m) / (2 * Real50(0.02)));
+    const auto along = [&](const Real50& g) {
+      return Real50(sqrt(abs(g * g / 4 - q1 * q1)) + sqrt(abs(g * g / 4 - q2 * q2)));
+    };
+    const Real50 least = 2 * std::max(q1, q2), force = abs(Real50(t.fx));
+    Real50 lo = least, hi = least + 2 * force;
+    if (along(least) >= force) hi = lo;
+    for (int k = 0; k < 160 && hi > lo; ++k) {
+      const Real50 mid = (lo + hi) / 2;
+      (along(mid) < force ? lo : hi) = mid;
+    }
+    const Gauge g = surface.gauge(t);
+    ASSERT_LE(g.lower, hi) << t.fx << ' ' << t.fy << ' ' << t.m;
+    ASSERT_GE(g.upper, lo) << t.fx << ' ' << t.fy << ' ' << t.m;
+    ASSERT_LE(abs(g.value / hi - 1), 1e-12);
+  }
+}
+
+// All poles on the line between two feet, and all beyond its ends, share one wrench.
+TEST(PointLoadPair, LoadsAcrossTheLineAndMomentsStartNoOneSlip) {
+  const LimitSurface surface(point_scenes()[0].patch());
+  for (const Wrench& t : {Wrench{0, 0.4, 0}, Wrench{0, -3, 0}, Wrench{0, 0, 0.01}, Wrench{0, 0, -7}}) {
+    const Gauge g = surface.gauge(t);
+    EXPECT_EQ(g.status, GaugeStatus::ridge);
+    EXPECT_DOUBLE_EQ(g.value, std::fabs(t.fy) + std::fabs(t.m) / 0.02);
+    EXPECT_LE(g.upper - g.lower, 1e-13 * g.value);
+    const SlipError error = slip_error(g, t, view(surface.patch()), surface.frame());
+    EXPECT_TRUE(std::isinf(error.speed) && std::isinf(error.spin) && std::isinf(error.pole_error));
+    // the slip that is answered serves, and its pole lies on the line
+    EXPECT_NEAR(power(t, g.twist), g.value * surface.patch().dissipation(g.twist), 1e-14 * g.value);
+    EXPECT_EQ(g.twist.vx, 0);
+  }
+}
+
+TEST(PointLoadPair, LoadsAlongTheLineStartATranslation) {
+  const LimitSurface surface(point_scenes()[0].patch());
+  for (const double fy : {0., 1e-9, -1e-12}) {
+    const Gauge g = surface.gauge({0.4, fy, 0});
+    EXPECT_EQ(g.status, GaugeStatus::converged);
+    EXPECT_DOUBLE_EQ(g.value, std::hypot(0.4, fy));
+    EXPECT_EQ(g.twist.w, 0);
+  }
+}
+
+TEST(PointLoadPair, PointsAtOnePlaceAreOne) {
+  const PointScene three{"", {{-1, 0, 1}, {1, 0, 1}, {1, 0, 2}}};
+  const PointScene two{"", {{-1, 0, 1}, {1, 0, 3}}};
+  const LimitSurface a(three.patch()), b(two.patch());
+  for (const Wrench& t : {Wrench{0.1, 1, 0.4}, Wrench{1, 0, 0}, Wrench{0.3, -1, 2}}) {
+    EXPECT_DOUBLE_EQ(a.gauge(t).value, b.gauge(t).value);
+  }
+}
+
+// A kink whose place rounds is not told; the gauge is still bracketed.
+TEST(PointLoadPlaces, AreToldWhereTheyAreExact) {
+  const Several feet = tripod().patch();
+  EXPECT_EQ(point_shares(feet).size(), 3);
+  EXPECT_EQ(point_shares(Placed(feet, 2, -4)).size(), 2);  // 1.3 - 4 rounds
+  EXPECT_EQ(point_shares(Placed(feet, PlanarFrame{2, -4, 0.3})).size(), 0);
+  EXPECT_EQ(point_shares(Placed(PointLoad{}, PlanarFrame{2, -4, 0.3})).size(), 1);
+  EXPECT_EQ(point_shares(HertzDisc::of_radius(1)).size(), 0);
+  const PointShare foot = point_shares(Several::of_parts({{AnyPatch(feet), 1}, {HertzDisc::of_radius(1), 3}}))[1];
+  EXPECT_EQ(foot.x, 1);
+  EXPECT_DOUBLE_EQ(foot.share, 0.3 / 4);
+}
+
+TEST(PointLoadPlaces, ThatAreNotToldStillBracket) {
+  const LimitSurface surface(Placed(tripod().patch(), PlanarFrame{0, 0, 0.3}));
+  std::mt19937_64 engine(5);
+  for (int i = 0; i < cases(300); ++i) {
+    const Wrench t = draw_load(engine, LoadKind::any, tripod(), tripod().patch());
+    const Gauge g = surface.gauge(t);
+    const Wrench back{std::cos(0.3) * t.fx + std::sin(0.3) * t.fy, std::cos(0.3) * t.fy - std::sin(0.3) * t.fx, t.m};
+    const double exact = LimitSurface(tripod().patch()).gauge(back).value;
+    ASSERT_LE(g.lower, exact * (1 + 1e-15));
+    ASSERT_GE(g.upper, exact * (1 - 1e-15));
+    ASSERT_LE(g.upper - g.lower, 1e-6 * g.value);
+    if (g.upper - g.lower > 1e-12 * g.value) {
+      EXPECT_EQ(g.status, GaugeStatus::stalled);
+      EXPECT_TRUE(std::isinf(slip_error(g, t, view(surface.patch()), surface.frame()).pole_error));
+    }
+  }
+}
+
+TEST(PointLoadAlone, HasNoLimitSurface) {
+  EXPECT_THROW(LimitSurface(Placed(PointLoad{}, 0.3, 0.2)), std::invalid_argument);
+}
+
+TEST(LimitSurfaceFarOff, IsRefusedWhereRoundingLeavesNoMoment) {
+  EXPECT_NO_THROW(LimitSurface(Placed(HertzDisc::of_radius(1e-3), 1e9, 0)));
+  EXPECT_THAT([] { LimitSurface(Placed(HertzDisc::of_radius(1e-3), 1.5e12, 0)); },
+              ThrowsMessage<std::invalid_argument>(::testing::StartsWith("centroid = (1500000000000, 0) m is not")));
+}
+
+TEST(RingLoad, WithThePoleOnItConverges) {
   const LimitSurface surface(Ring::of_radius(2));
   for (const double off : {0.0, 1e-15, 1e-9, -1e-6}) {
     const Gauge g = surface.gauge({0.6, 0.8, -2 * (1 + off)});
@@ -86,7 +244,7 @@ TEST(PointLoads, RingWithThePoleOnItConverges) {
   }
 }
 
-TEST(PointLoads, TooFewEvaluationsStallButBracket) {
+TEST(RingLoad, TooFewEvaluationsStallButBracket) {
   const Gauge g = LimitSurface(Ring::of_radius(1), {.max_evaluations = 2}).gauge({0.5, 0, 0.4});
   EXPECT_EQ(g.status, GaugeStatus::stalled);
   const Gauge exact = LimitSurface(Ring::of_radius(1)).gauge({0.5, 0, 0.4});
