@@ -48,11 +48,11 @@ std::vector<Result> results_of(const LoadAnswer& load, const LimitScene& scene) 
 std::string_view remark_of(GaugeStatus status) {
   switch (status) {
     case GaugeStatus::ridge:
-      return "other slips are as good: all the pressure lies on one line";
+      return "other slips are as good: all the pressure lies on one line, and their poles on a part of it";
     case GaugeStatus::facet:
       return "neighbouring loads start the same slip, about a point load";
     case GaugeStatus::stalled:
-      return "the gauge is bracketed, but less closely than usual";
+      return "the gauge is bracketed, but less closely than usual; the slip is not known";
     default:
       return "";
   }

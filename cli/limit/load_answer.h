@@ -10,8 +10,8 @@
 //          does to it. Points of a pressure that is symmetric about its centre, moved by at most delta of their
 //          distance from it, change D by no more than delta |w| S(centre) <= delta D, and so g by delta / (1 - delta).
 //          Where the pressure is computed on a grid, the difference from half as many cells is added to all.
-//          slip and pole: estimates, from one Newton step for what is left of the residual, the rounding of grad D and
-//          what the shape does to the moment. On a facet the pole is a point load, and known as that is.
+//          slip and pole: estimates (slip_error.h), infinite where the load starts no one slip: on a ridge, and where
+//          the bracket is all that is known. Gauge, margin and verdict hold there as elsewhere.
 #pragma once
 
 #include <cmath>
@@ -19,6 +19,7 @@
 
 #include <patchgrip/contact/estimate.h>
 #include <patchgrip/friction/limit_surface/limit_surface.h>
+#include <patchgrip/friction/limit_surface/slip_error.h>
 #include <patchgrip/friction/patch.h>
 #include <patchgrip/friction/twist.h>
 
@@ -30,7 +31,7 @@ enum class Verdict { holds, slips, undecided };
 
 struct Slip {
   friction::Twist twist;
-  double speed_error;  // of (vx, vy), length of the difference [m/s]
+  double speed_error;  // of (vx, vy), length of the difference [m/s]; infinite where the slip is not determined
   double spin_error;   // [rad/s]
   friction::Pole pole;
   double pole_error;  // distance [m]; infinite where the spin is 0 within its error
@@ -48,9 +49,7 @@ struct LoadAnswer {
   bool loaded() const noexcept { return load.fx != 0 || load.fy != 0 || load.m != 0; }
   bool turns() const noexcept { return std::isfinite(slip.pole_error); }
   // Not on a ridge, where the slip is one of several.
-  bool starts_one_slip() const noexcept {
-    return loaded() && std::isfinite(slip.speed_error) && std::isfinite(slip.spin_error);
-  }
+  bool starts_one_slip() const noexcept { return loaded() && std::isfinite(slip.speed_error + slip.spin_error); }
 };
 
 // mu F_N of a contact [N], its own relative error, and that of a gauge that its shape causes.
@@ -63,7 +62,7 @@ struct Capacity {
 namespace limit {
 
 Slip slip_of(const friction::Gauge& gauge, const friction::Wrench& load, const friction::PatchView& patch,
-             const friction::PressureMoments& moments, double shape_error) noexcept;
+             const friction::PressureFrame& frame, double shape_error) noexcept;
 
 LoadAnswer answer_of(const friction::Wrench& load, const friction::Gauge& gauge, const Slip& slip, double area_radius,
                      const Capacity& capacity) noexcept;
@@ -74,9 +73,8 @@ template <friction::Patch P>
 LoadAnswer answer_load(const friction::LimitSurface<P>& surface, const Capacity& capacity,
                        const friction::Wrench& load) noexcept {
   const friction::Gauge gauge = surface.gauge(load);
-  const P& patch = surface.patch();
-  const Slip slip = limit::slip_of(gauge, load, friction::view(patch), patch.moments(), capacity.shape_error);
-  return limit::answer_of(load, gauge, slip, patch.area_radius(), capacity);
+  const Slip slip = limit::slip_of(gauge, load, friction::view(surface.patch()), surface.frame(), capacity.shape_error);
+  return limit::answer_of(load, gauge, slip, surface.patch().area_radius(), capacity);
 }
 
 // The same with what a coarser solution of the pressure says of the error.
@@ -87,7 +85,9 @@ LoadAnswer answer_load(const friction::LimitSurface<P>& surface, const friction:
   const LoadAnswer other = answer_load(coarse, capacity, load);
   if (!fine.loaded()) return fine;
   capacity.shape_error += std::fabs(other.gauge.value - fine.gauge.value) / fine.gauge.value;
-  LoadAnswer answer = answer_load(surface, capacity, load);
+  const Slip slip =
+      limit::slip_of(fine.gauge, load, friction::view(surface.patch()), surface.frame(), capacity.shape_error);
+  LoadAnswer answer = limit::answer_of(load, fine.gauge, slip, surface.patch().area_radius(), capacity);
   const friction::Twist &u = fine.slip.twist, &v = other.slip.twist;
   answer.slip.speed_error += std::hypot(u.vx - v.vx, u.vy - v.vy);
   answer.slip.spin_error += std::fabs(u.w - v.w);
