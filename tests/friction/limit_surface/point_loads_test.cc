@@ -18,8 +18,8 @@
 namespace patchgrip::friction {
 namespace {
 
+using ::patchgrip::testing::all_cases;
 using ::patchgrip::testing::cases;
-
 using ::testing::ThrowsMessage;
 
 class PointLoads : public ::testing::TestWithParam<PointScene> {};
@@ -32,16 +32,16 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PointLoads, ::testing::ValuesIn(point_scenes())
 
 constexpr LoadKind load_kinds[] = {LoadKind::exact, LoadKind::nearly_exact, LoadKind::any, LoadKind::rim_of_facet};
 
-// Gauge, pole and slip of every load are where their errors say, by 50 digits. Where the slip is not told the gauge is
-// compared with t . v / D(v) alone, which is the gauge to the second order.
+// Gauge, pole and slip of every load are where their errors say, by 50 digits.
 TEST_P(PointLoads, GaugesAndSlipsAreWithinTheirErrors) {
   const PointScene& scene = GetParam();
   const LimitSurface surface(scene.patch());
   const GaugeReference reference = scene.reference();
+  const auto length = [](const Real50& x, const Real50& y) { return Real50(sqrt(x * x + y * y)); };
   std::mt19937_64 engine(1);
   for (const LoadKind kind : load_kinds) {
-    int told = 0, facets = 0, unproven = 0;
-    const int count = cases(60);
+    int told = 0, facets = 0;
+    const int count = cases(25);
     for (int i = 0; i < count; ++i) {
       const Wrench t = draw_load(engine, kind, scene, surface.patch());
       SCOPED_TRACE(::testing::Message() << std::setprecision(17) << t.fx << ' ' << t.fy << ' ' << t.m);
@@ -49,31 +49,24 @@ TEST_P(PointLoads, GaugesAndSlipsAreWithinTheirErrors) {
       ASSERT_NE(g.status, GaugeStatus::stalled);
       ASSERT_LE(g.upper - g.lower, 1e-12 * g.value);
       facets += g.status == GaugeStatus::facet;
-      const SlipError error = slip_error(g, t, view(surface.patch()), surface.frame());
-      if (!std::isfinite(error.pole_error)) {
-        const Real50 truth = reference.lower(t, g.twist);
-        ASSERT_LE(truth, g.upper);
-        ASSERT_GE(truth, g.lower);
-        continue;
-      }
-      ++told;
       const auto truth = reference.slip(t, g.twist);
-      if (!truth) {
-        ++unproven;
-        continue;
-      }
+      ASSERT_TRUE(truth);
       ASSERT_LE(g.lower, truth->gauge);
       ASSERT_GE(g.upper, truth->gauge);
-      const auto length = [](const Real50& x, const Real50& y) { return Real50(sqrt(x * x + y * y)); };
-      ASSERT_LE(length(truth->x - error.pole.x, truth->y - error.pole.y), error.pole_error);
-      ASSERT_LE(length(truth->twist[0] - g.twist.vx, truth->twist[1] - g.twist.vy), error.speed);
-      ASSERT_LE(abs(truth->twist[2] - g.twist.w), error.spin);
+      const SlipError error = slip_error(g, t, view(surface.patch()), surface.frame());
+      if (std::isfinite(error.speed)) {
+        ASSERT_LE(length(truth->twist[0] - g.twist.vx, truth->twist[1] - g.twist.vy), error.speed);
+        ASSERT_LE(abs(truth->twist[2] - g.twist.w), error.spin);
+      }
+      if (std::isfinite(error.pole_error)) {
+        ASSERT_LE(length(truth->x - error.pole.x, truth->y - error.pole.y), error.pole_error);
+        ++told;
+      }
     }
-    EXPECT_LE(unproven, 0.03 * count);
     if (kind == LoadKind::any) {
       EXPECT_GE(told, 0.99 * count);
     }
-    if (kind == LoadKind::rim_of_facet) {
+    if (kind == LoadKind::rim_of_facet && all_cases()) {
       EXPECT_GE(facets, 0.2 * count);
     }
   }
