@@ -8,6 +8,7 @@
 
 #include <patchgrip/friction/limit_surface/certificate.h>
 #include <patchgrip/friction/limit_surface/cutting_planes.h>
+#include <patchgrip/friction/limit_surface/newton_step.h>
 #include <patchgrip/friction/limit_surface/point_slip.h>
 
 namespace patchgrip::friction {
@@ -23,17 +24,6 @@ constexpr int kinked_evaluations = 12;
 
 // Of the pressure along a force across a line load, in squared radii of gyration: a start with the pole off the line.
 constexpr double least_spread = 1e-12;
-
-// What Newton's matrix is raised by, of its trace: some tens of its rounding.
-constexpr double raise = 1e-14;
-
-// A curvature of D below this many raises is none that rounding of the gradient could tell: the pole would be uncertain by
-// 2^-53 / (least_curvature * raise), a millionth of a radius.
-constexpr double least_curvature = 1e4;
-
-// How far off a line load its Hessian is taken, in radii of gyration: there it is about 1 / aside, and good to
-// 2^-53 / aside.
-constexpr double aside = 1e-6;
 
 double force_size(const Wrench& t) noexcept { return std::hypot(t.fx, t.fy); }
 
@@ -74,7 +64,7 @@ class Maximiser {
     }
     if (narrow(best_.bracket)) {
       polish();
-      if (frame_.is_line()) newton_step(best_);
+      if (frame_.is_line()) step_from(best_);
       return result(ridge_ ? GaugeStatus::ridge : GaugeStatus::converged);
     }
     return result(cut() ? GaugeStatus::converged : GaugeStatus::stalled);
@@ -87,7 +77,7 @@ class Maximiser {
     const int most = frame_.kinks.empty() ? smooth_evaluations : kinked_evaluations;
     const int last = std::min(settings_.max_evaluations, evaluations_ + most);
     while (!narrow(best_.bracket) && evaluations_ < last) {
-      const std::optional<Vector> step = newton_step(now);
+      const std::optional<Vector> step = step_from(now);
       if (!step) break;
       now = along(now, *step);
       if (now.bracket.gap < best_.bracket.gap) best_ = now;
@@ -128,47 +118,19 @@ class Maximiser {
     const auto width = [](const Bracket& b) { return b.upper - b.lower; };
     if (width(best_.bracket) <= settings_.relative_gap * best_.bracket.lower) return;
     if (evaluations_ >= settings_.max_evaluations) return;
-    const std::optional<Vector> step = newton_step(best_);
+    const std::optional<Vector> step = step_from(best_);
     if (!step) return;
     const Iterate next = along(best_, *step);
     if (width(next.bracket) < width(best_.bracket)) best_ = next;
   }
 
-  // Where the Hessian is infinite (the pole on a line load) it is taken with the pole a little aside.
-  Twist beside(const Twist& v) const noexcept {
-    const double shift = aside * frame_.length * v.w;
-    return {v.vx + 0.8 * shift, v.vy - 0.6 * shift, v.w};
-  }
-
-  // Scales the twist of `i` to its best length and solves (D H + g g^T) s = r there.
-  std::optional<Vector> newton_step(Iterate& i) noexcept {
-    const double k = i.value / i.dissipation;  // to the best length of the twist
-    for (double& x : i.u) x *= k;
-    Hessian h;
-    if (!patch_.hessian(patch_.patch, i.v, h) && !patch_.hessian(patch_.patch, beside(i.v), h)) return std::nullopt;
-    h = frame_.about_centroid(h);
-    const Vector& g = i.gradient;
-    const double D = i.dissipation;  // H is that of v: D(k v) H(k v) = D(v) H(v)
-    const double m00 = D * h.xx + g[0] * g[0], m01 = D * h.xy + g[0] * g[1], m02 = D * h.xw + g[0] * g[2];
-    const double m11 = D * h.yy + g[1] * g[1], m12 = D * h.yw + g[1] * g[2];
-    const double m22 = D * h.ww + g[2] * g[2];
-    const double floor = raise * (m00 + m11 + m22);
-    const Vector r = moved(t_, -i.value, g);
-    // Cholesky
-    const double d0 = m00 + floor;
-    const double l1 = m01 / d0, l2 = m02 / d0;
-    const double d1 = std::max(m11 + floor - l1 * m01, floor);
-    const double l3 = (m12 - l1 * m02) / d1;
-    const double d2 = std::max(m22 + floor - l2 * m02 - l3 * l3 * d1, floor);
-    const double z0 = r[0];
-    const double z1 = r[1] - l1 * z0;
-    const double z2 = r[2] - l2 * z0 - l3 * z1;
-    const double s2 = z2 / d2;
-    const double s1 = z1 / d1 - l3 * s2;
-    const double s0 = z0 / d0 - l1 * s1 - l2 * s2;
-    if (!std::isfinite(s0 + s1 + s2)) return std::nullopt;
-    ridge_ = frame_.is_line() && std::min(d1, d2) <= least_curvature * floor;
-    return Vector{s0, s1, s2};
+  // Scales the twist of `i` to its best length and steps from there.
+  std::optional<Vector> step_from(Iterate& i) noexcept {
+    i.u = scaled(i.u, i.value / i.dissipation);
+    const auto next = newton_step(patch_, frame_, t_, i.v, i.gradient, i.dissipation, i.value);
+    if (!next) return std::nullopt;
+    ridge_ = frame_.is_line() && next->flat;
+    return next->step;
   }
 
   // The full step; where D has passed its least along it, less: to where the tangents of both ends meet, which finds

@@ -33,7 +33,7 @@ Stiffness Kink::stiffness_at(const PatchView& patch, const Twist& v) const noexc
   if (!(speed > 0) || !patch.hessian(patch.patch, v, h)) return {};
   const double own = point.share / speed;
   const double ex = z.x / speed, ey = z.y / speed;
-  return {h.xx - own * ey * ey, h.xy + own * ex * ey, h.yy - own * ex * ex};
+  return {h.xx - own * ey * ey, h.xy + own * ex * ey, h.yy - own * ex * ex, 8 * unit * own};
 }
 
 std::vector<Kink> kinks_of(const PatchView& patch, std::vector<PointShare> shares, double length) {

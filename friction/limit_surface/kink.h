@@ -31,6 +31,7 @@ struct Stiffness {
   double xx = 0;
   double xy = 0;
   double yy = 0;
+  double rounding = 0;  // of each
 
   Planar operator*(const Planar& z) const noexcept { return {xx * z.x + xy * z.y, xy * z.x + yy * z.y}; }
 };

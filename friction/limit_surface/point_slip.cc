@@ -12,8 +12,8 @@ constexpr double unit = 0x1p-53;
 // Further away D is smooth enough for Newton's method; in radii of gyration.
 constexpr double reach = 0.3;
 
-// H_R is taken 1e-6 radii beside the point, where rounding of the point's own leaves 2^-53 / 1e-6 of it.
-constexpr double least_stiffness = 1e-9;
+// A stiffness of fewer roundings of H_R than that is none.
+constexpr double least_stiffness = 4;
 
 Wrench times(double k, const Wrench& t) noexcept { return {k * t.fx, k * t.fy, k * t.m}; }
 
@@ -46,7 +46,7 @@ GaugeStatus status_of(const Kink& kink, const NearKink& near, const Planar& aske
 double stiffness_along(const Stiffness& h, const Planar& a) noexcept {
   const Planar ha = h * a;
   const double along = (a.x * ha.x + a.y * ha.y) / (a.x * a.x + a.y * a.y);
-  return along > least_stiffness * (h.xx + h.yy) ? along : 0;
+  return along > least_stiffness * h.rounding ? along : 0;
 }
 
 PointForce point_force(const Kink& kink, const NearKink& near, const Wrench& load) noexcept {

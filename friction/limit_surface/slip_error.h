@@ -11,7 +11,7 @@
 //
 // Units    twist as gauge.h, D(v) = 1 m/s; shape_error [1]: points of the pressure may lie that much of their distance from
 //          the centroid elsewhere.
-// Error    an estimate: first order in what is left. It held for all of 1e5 loads: tests/friction/limit_surface.
+// Error    an estimate: first order in what is left. Against 50 digits: tests/friction/limit_surface/point_loads_test.cc.
 // Throws   nothing.
 #pragma once
 
