@@ -1,4 +1,5 @@
 #include <patchgrip/contact/half_space/convolution.h>
+#include <patchgrip/contact/half_space/cosine_transform.h>
 #include <patchgrip/contact/half_space/love_kernel.h>
 #include <patchgrip/contact/require.h>
 

@@ -1,65 +1,18 @@
+#include <patchgrip/contact/half_space/fftw_plan.h>
 #include <patchgrip/contact/half_space/spectral_product.h>
 #include <patchgrip/contact/half_space/vector_clones.h>
-
-#include <fftw3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <mutex>
 #include <numbers>
-#include <stdexcept>
 
 namespace patchgrip::contact {
 namespace {
 
-using Complex = std::complex<double>;
+using namespace fft;
 
-constexpr int block = 4;    // columns that are copied together: a line of the cache
-constexpr int aligned = 4;  // complex numbers: rows and columns start on a line of the cache
-
-std::mutex& planner() {
-  static std::mutex lock;
-  return lock;
-}
-
-struct Plan {
-  template <class Make>
-  explicit Plan(const Make& make) {
-    const std::lock_guard guard(planner());
-    plan = make();
-    if (plan == nullptr) throw std::runtime_error("FFTW made no plan");
-  }
-  ~Plan() {
-    const std::lock_guard guard(planner());
-    fftw_destroy_plan(plan);
-  }
-  Plan(const Plan&) = delete;
-  Plan& operator=(const Plan&) = delete;
-
-  fftw_plan plan;
-};
-
-fftw_complex* raw(Complex* z) { return reinterpret_cast<fftw_complex*>(z); }
-
-std::size_t threads(Resources resources) { return static_cast<std::size_t>(resources.workers.count()); }
-
-std::size_t round_up(int n, int unit) { return static_cast<std::size_t>((n + unit - 1) / unit * unit); }
-
-// What is changed next often lies changed in the cache of another thread: asked for in time, to be changed.
-template <class Number>
-void fetch(Number* z, int count) {
-  constexpr int on_a_line = static_cast<int>(PageMemory::alignment / sizeof(Number));
-  const auto one = [z](int k) {
-#if defined(__x86_64__)
-    asm volatile("prefetchw %0" : : "m"(z[k]));  // __builtin_prefetch only reads for processors of any age
-#else
-    __builtin_prefetch(z + k, 1);
-#endif
-  };
-  for (int k = 0; k < count - 1; k += on_a_line) one(k);
-  one(count - 1);
-}
+constexpr int block = 4;  // columns that are copied together: a line of the cache
 
 // std::complex's product would test for infinities.
 Complex times(Complex z, Complex w) {
@@ -198,65 +151,6 @@ void SpectralProduct::apply(const double* symbol, const double* x, double* y, Wo
   workers.run((body.spectrum_columns + block - 1) / block,
               [&](int part, int thread) { body.filter_columns(part * block, thread, symbol); });
   workers.each_row(body.ny, [&](int j, int thread) { body.transform_row_back(j, thread, y); });
-}
-
-// A line that is even about both ends, from the transform of all its period: two lines at once, one of them imaginary.
-// (FFTW's own transform of even lines takes two to three times as long.)
-void cosine_transform(int columns, int rows, double factor, double* table, Resources resources) {
-  constexpr int pairs = 4;  // of columns, on a line of the cache
-  const auto period = [](int count) { return 2 * (count - 1); };
-  const std::size_t size = round_up(period(std::max(columns, rows)), aligned) + aligned;
-  Array<Complex> buffers(threads(resources) * pairs * size, resources.memory);
-  const auto buffer = [&](int thread, int pair) {
-    return buffers.data() + static_cast<std::size_t>(thread * pairs + pair) * size;
-  };
-  const auto plan_line = [&](int count) {
-    return [&, count] {
-      return fftw_plan_dft_1d(period(count), raw(buffers.data()), raw(buffers.data()), FFTW_FORWARD, FFTW_ESTIMATE);
-    };
-  };
-  const auto transform = [&](const Plan& plan, int count, Complex* line) {
-    std::reverse_copy(line + 1, line + count - 1, line + count);
-    fftw_execute_dft(plan.plan, raw(line), raw(line));
-  };
-  const auto row = [&](int j) { return table + static_cast<std::size_t>(j) * static_cast<std::size_t>(columns); };
-
-  const Plan plan_row(plan_line(columns));
-  resources.set_up.each_row((rows + 1) / 2, [&](int pair, int thread) {
-    double *one = row(2 * pair), *other = row(std::min(2 * pair + 1, rows - 1));  // the last row may have no other
-    Complex* line = buffer(thread, 0);
-    for (int i = 0; i < columns; ++i) line[i] = {one[i], other[i]};
-    transform(plan_row, columns, line);
-    for (int i = 0; i < columns; ++i) {
-      one[i] = line[i].real();
-      other[i] = line[i].imag();
-    }
-  });
-
-  const Plan plan_column(plan_line(rows));
-  resources.set_up.run((columns + 2 * pairs - 1) / (2 * pairs), [&](int part, int thread) {
-    const int first = part * 2 * pairs, count = std::min(pairs, (columns - first + 1) / 2);
-    const int next = first + 2 * pairs, fetched = std::min(2 * pairs, columns - next);
-    const auto other = [&](int i) { return std::min(i + 1, columns - 1); };
-    for (int j = 0; j < rows; ++j) {
-      const double* from = row(j);
-      for (int c = 0, i = first; c < count; ++c, i += 2) buffer(thread, c)[j] = {from[i], from[other(i)]};
-    }
-    for (int c = 0; c < count; ++c) {
-      if (fetched > 0) {
-        for (int j = rows * c / count; j < rows * (c + 1) / count; ++j) fetch(row(j) + next, fetched);
-      }
-      transform(plan_column, rows, buffer(thread, c));
-    }
-    for (int j = 0; j < rows; ++j) {
-      double* to = row(j);
-      for (int c = 0, i = first; c < count; ++c, i += 2) {
-        const Complex value = factor * buffer(thread, c)[j];
-        to[i] = value.real();
-        to[other(i)] = i + 1 < columns ? value.imag() : value.real();
-      }
-    }
-  });
 }
 
 }  // namespace patchgrip::contact

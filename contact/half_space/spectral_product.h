@@ -55,8 +55,4 @@ class SpectralProduct {
   std::unique_ptr<Body> body_;
 };
 
-// In place, of a field of `rows` rows of `columns` numbers that is even about its first and last row and column: its
-// Fourier transform (FFTW's REDFT00), times `factor`.
-void cosine_transform(int columns, int rows, double factor, double* table, Resources resources);
-
 }  // namespace patchgrip::contact
