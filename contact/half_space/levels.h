@@ -1,8 +1,8 @@
 // The grids of a solution from coarse to fine, each with the gap on it.
 //
-// The last is the grid given, extended where its sides cannot be halved often enough (a free surface; the gap beyond the
-// border is that of the border: no contact is allowed there anyway). The sides of the first have 32 cells at least, if
-// there is a choice; there are two grids at least.
+// The last is the grid given, extended where its sides cannot be halved often enough (a free surface; the gap beyond
+// the border is that of the border: no contact is allowed there anyway). The sides of the first have 32 cells at least,
+// if there is a choice; there are two grids at least.
 //
 // Units    gap [m], counted from `least`, its least value.
 // Domain   a periodic surface: even numbers of cells.

@@ -20,8 +20,8 @@
 //          or not this zone: what touches in one or two cells may carry hundreds of times the value.
 // Fails    on a rough surface that the grid does not resolve: the estimates then show it.
 // Throws   std::invalid_argument outside the domain; std::domain_error if the contact touches the border of a free
-//          grid; std::runtime_error, with the residual, if a grid does not converge. What the observer throws passes
-//          through.
+//          grid; std::runtime_error, with the residual, if a grid does not converge; std::bad_alloc, std::system_error
+//          when a thread cannot be started. What the observer throws passes through.
 #pragma once
 
 #include <span>

@@ -6,6 +6,7 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -92,12 +93,31 @@ TEST(Array, GivesItsMemoryBackOnce) {
   EXPECT_EQ(Array<double>(1000, memory).data(), place);
 }
 
+TEST(PageMemory, ThreadsTakeAndGiveBackAtTheSameTime) {
+  PageMemory memory(1);
+  Workers workers(3);
+  std::atomic<int> torn = 0;
+  workers.run(patchgrip::testing::cases(3000), [&](int k, int) {
+    const std::size_t bytes = line * static_cast<std::size_t>(1 + k % 300);
+    auto* begin = static_cast<unsigned char*>(memory.allocate(bytes, line));
+    const auto mark = static_cast<unsigned char>(k);
+    std::fill_n(begin, bytes, mark);
+    torn += std::all_of(begin, begin + bytes, [mark](unsigned char c) { return c == mark; }) ? 0 : 1;
+    memory.deallocate(begin, bytes, line);
+  });
+  EXPECT_EQ(torn, 0);
+  void* const all = memory.allocate(block - 2 * line, line);  // all pieces are one again
+  memory.deallocate(all, block - 2 * line, line);
+  EXPECT_EQ(memory.allocate(block - 2 * line, line), all);
+  memory.deallocate(all, block - 2 * line, line);
+}
+
 #if defined(__linux__)
 // The sanitizer touches the first page of whatever is allocated.
 #if defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t untouched = 1;
+constexpr std::size_t touched_before = 1;
 #else
-constexpr std::size_t untouched = 0;
+constexpr std::size_t touched_before = 0;
 #endif
 
 // Of a block so large that the heap has not used it before.
@@ -109,7 +129,7 @@ TEST(PageMemory, TouchesWhatItIsToldAndNoMore) {
       Workers workers(threads);
       memory.touch(bytes, workers);
       auto* const begin = static_cast<std::byte*>(memory.allocate(1, line));
-      for (std::size_t k = untouched; k < pages; ++k) {
+      for (std::size_t k = touched_before; k < pages; ++k) {
         unsigned char resident = 0;
         ASSERT_EQ(mincore(begin + k * block, 1, &resident), 0);
         EXPECT_EQ(resident & 1, k * block < bytes ? 1 : 0) << k << " of " << bytes;
