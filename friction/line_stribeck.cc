@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <patchgrip/friction/kernels/line_motion.h>
 #include <patchgrip/friction/kernels/vector_quadrature.h>
@@ -50,8 +51,20 @@ Sliding after(const LineEnd& end, double d) noexcept {
 }  // namespace
 
 BoundedWrench stribeck_excess(const LineLoad& line, const Twist& u) noexcept {
-  if (u.w == 0) return stribeck_excess(PointLoad{}, u);  // about the centroid
   const double sign = std::copysign(1.0, u.w), L = line.length(), w = std::fabs(u.w), l = w * L;
+  const double fastest = std::hypot(u.vx, u.vy) + l / 2;
+  if (!std::isfinite(fastest)) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {{nan, nan, nan}, nan, nan};
+  }
+  constexpr double slow = 1e-10;  // exp(-rho^2) is 1, to rounding
+  if (fastest < slow) return line.bounded_gradient(u);
+  constexpr double spun = 1e-290;  // of `slow`: nothing, where l soon has no full digits
+  if (l < spun) {
+    BoundedWrench g = stribeck_excess(PointLoad{}, u);  // about the centroid
+    g.moment_error += l;
+    return g;
+  }
   const double vx = sign * u.vx, vy = sign * u.vy;
   const double s0 = std::fma(-w, L / 2, vy), s1 = std::fma(w, L / 2, vy);
   // A pole on the line is as one that is next to it.

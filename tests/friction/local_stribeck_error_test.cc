@@ -121,6 +121,34 @@ TEST(LocalStribeckError, OfALineAcrossItIsThatOfItsEnds) {
   }
 }
 
+// Turning too slowly for its points to differ, and too slowly for v_S to matter.
+TEST(LocalStribeckError, OfALineThatHardlyTurns) {
+  const LineLoad line = LineLoad::of_length(0.01);
+  const BoundedWrench still = stribeck_excess(line, {0.7, 0.3, 0});
+  for (const double w : {5e-324, -1e-308, 1e-289, 1e-280, -1e-200, 1e-30}) {
+    const BoundedWrench g = stribeck_excess(line, {0.7, 0.3, w});
+    EXPECT_NEAR(g.value.fx, still.value.fx, g.force_error) << w;
+    EXPECT_NEAR(g.value.fy, still.value.fy, g.force_error) << w;
+    EXPECT_NEAR(g.value.m, 0, g.moment_error) << w;
+    EXPECT_LE(g.force_error, 1e-14) << w;
+  }
+  for (const double slow : {1e-9, 1e-11, 1e-100, 1e-300}) {
+    const Twist u{0.7 * slow, -0.3 * slow, 90 * slow};
+    const BoundedWrench g = stribeck_excess(line, u), exact = line.bounded_gradient(u);
+    EXPECT_NEAR(g.value.fx, exact.value.fx, g.force_error + slow * slow) << slow;
+    EXPECT_NEAR(g.value.fy, exact.value.fy, g.force_error + slow * slow) << slow;
+    EXPECT_NEAR(g.value.m, exact.value.m, g.moment_error + slow * slow) << slow;
+  }
+}
+
+TEST(LocalStribeckError, OfALineAtNoMotionIsNotANumber) {
+  const double nan = std::nan("");
+  for (const Twist& u : {Twist{nan, 0.3, 1}, Twist{0.7, nan, 1}, Twist{0.7, 0.3, nan}, Twist{nan, 0.3, 0}}) {
+    const BoundedWrench g = stribeck_excess(LineLoad::of_length(0.01), u);
+    EXPECT_TRUE(std::isnan(g.value.fx) && std::isnan(g.value.fy) && std::isnan(g.value.m));
+  }
+}
+
 TEST(LocalStribeckError, OfALineWithThePoleOnItIsThatNextToIt) {
   const LineLoad line = LineLoad::of_length(2);
   for (const double x : {0.0, 0.3, 1.0, 5.0}) {
