@@ -52,7 +52,7 @@ class Search {
   }
 
   LargestRatio run(double tolerance, int most_cones) {
-    for (int k = 0; k < most_cones && cones_.top().bound > attained_ + tolerance; ++k) {
+    for (int k = 0; k < most_cones && cones_.top().bound > seen_ + tolerance; ++k) {
       const Cone cone = cones_.top();
       cones_.pop();
       split(cone.corners);
@@ -68,7 +68,8 @@ class Search {
     for (const Corner& c : corners) sum = {sum.vx + c.v.vx, sum.vy + c.v.vy, sum.w + c.v.w};
     const Twist middle = unit(sum);
     const SupportValue a = a_(middle), b = b_(middle);
-    attained_ = std::max(attained_, ratio(a, power(b.wrench, middle), b.error));
+    seen_ = std::max(seen_, ratio(a, power(b.wrench, middle), b.error));
+    attained_ = std::max(attained_, a.value * (1 - a.error - rounding) / (b.value * (1 + b.error + rounding)));
     double bound = 0;
     for (const Corner& c : corners) bound = std::max(bound, ratio(c.a, power(b.wrench, c.v), b.error));
     cones_.push({corners, bound});
@@ -85,7 +86,8 @@ class Search {
 
   const SupportFunction &a_, &b_;
   std::priority_queue<Cone> cones_;
-  double attained_ = 0;
+  double seen_ = 0;      // the largest ratio in the middle of a cone, errors counted as in a bound
+  double attained_ = 0;  // by the true functions
 };
 
 }  // namespace

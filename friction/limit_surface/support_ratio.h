@@ -9,12 +9,12 @@
 //
 // With t the wrench of the middle of the cone the bound exceeds the ratio by second order in the width. Cones are
 // bisected, the one of the largest bound first, along the edge over which the wrenches turn most, until the bound
-// exceeds a ratio that is attained by no more than the tolerance. The errors of both functions are counted in.
+// exceeds a ratio that is seen by no more than the tolerance. The errors of both functions are counted in.
 //
 // Domain   support functions in a frame where both bodies are close to the unit ball (support_function.h), not 0.
 // Units    none: twists and wrenches of that frame.
-// Error    bound >= the maximum >= attained, up to the errors of the functions (both together once more, relative).
-//          bound - attained <= tolerance, unless `most_cones` ended the search: that is not hidden, the numbers show it.
+// Error    bound >= the maximum >= attained. They differ by the tolerance and twice the errors of both functions, unless
+//          `most_cones` ended the search: that is not hidden, the numbers show it.
 #pragma once
 
 #include <patchgrip/friction/limit_surface/support_function.h>
@@ -38,7 +38,7 @@ struct GaugeSides {
   GaugeSides scaled(double factor) const;  // of `factor` times the approximation
 };
 
-// Of the body of `model` against `truth`, to a slack of 1e-5 and rounding unless the search ends early.
+// Of the body of `model` against `truth`, to a slack of 1e-5 and the errors of both unless the search ends early.
 GaugeSides gauge_sides(const SupportFunction& model, const SupportFunction& truth);
 
 }  // namespace patchgrip::friction

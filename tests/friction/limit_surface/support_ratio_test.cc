@@ -85,9 +85,11 @@ TEST(SupportRatio, CountsTheErrorsOfBothIn) {
       return at;
     };
   };
-  const double bound = largest_ratio(vague(ellipsoid(1, 1, 1), 0.02), vague(ellipsoid(1, 1, 1), 0.03), 1e-3).bound;
+  const auto [bound, attained] = largest_ratio(vague(ellipsoid(1, 1, 1), 0.02), vague(ellipsoid(1, 1, 1), 0.03), 1e-3);
   EXPECT_GE(bound, 1.02 * 1.03);
   EXPECT_LE(bound, 1.02 * 1.03 + 1.1e-3);
+  EXPECT_LE(attained, 0.98 / 1.03);
+  EXPECT_GE(attained, 0.98 / 1.03 - 1e-14);
 }
 
 TEST(GaugeSides, OfAModelOnBothSides) {
