@@ -1,4 +1,4 @@
-// The patches that gauges are compared on: one of every kind, each with its grad D in many digits.
+// The patches that gauges are compared on: disc, ellipse, polygon, parts and samples, each with its grad D in many digits.
 //
 // Units    [m]; normal force 1 N, mu = 1.
 // Error    truth to 50 digits; of parts and cells their sum in 64 bits, to 1e-18.
@@ -85,7 +85,7 @@ inline Truth stepped_truth(Twists twists) {
   return truth;
 }
 
-// visit(name, patch, truth of twists, poles that the truth may be asked for).
+// visit(name, patch, truth of twists, loads that are judged).
 template <class Visit>
 void for_every_patch(const Visit& visit) {
   constexpr std::size_t many = 500, few = 60;

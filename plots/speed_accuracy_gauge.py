@@ -1,4 +1,4 @@
-"""Error against time for the gauge of a load: every model, a patch of every kind; below, the errors of the fastest."""
+"""Error against time for the gauge of a load: every model, eleven patches; below, the errors of the fastest."""
 
 import gauge_models
 import style

@@ -3,8 +3,8 @@
 //     (1 - largest_deficit) g(t) <= value(t) <= (1 + largest_excess) g(t)      for every load t of the domain
 //
 // The excess asks for too much grip, which is safe; the deficit for too little, which is not. gauge() turns the value
-// into a bracket of g(t); its twist is the slip that the model starts, normal to its surface: t . twist = value. Gauges
-// to rounding are models too, of an excess and a deficit of some units.
+// into a bracket of g(t); its twist is the slip that the model starts: t . twist = value, up to the excess. Gauges to
+// rounding are models too, of an excess and a deficit of some units.
 //
 // Units    load [N], [N], [N m] in the frame of the patch; value [N]; excess and deficit [1], the latter below 1.
 // Error    the bracket holds, rounding included.

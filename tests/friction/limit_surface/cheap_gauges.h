@@ -70,7 +70,7 @@ inline Several disc_and_point() {
   return Several::of_parts({{HertzDisc::of_radius(0.01), 1}, {Placed(PointLoad{}, 0.004, 0.002), 0.5}});
 }
 
-// test("name", patch) for one patch of every kind.
+// test("name", patch) for patches of different kinds.
 template <class Test>
 void for_every_kind(const Test& test) {
   test("hertz_disc", HertzDisc::of_radius(0.0037));
