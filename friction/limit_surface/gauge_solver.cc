@@ -10,6 +10,7 @@
 #include <patchgrip/friction/limit_surface/cutting_planes.h>
 #include <patchgrip/friction/limit_surface/newton_step.h>
 #include <patchgrip/friction/limit_surface/point_slip.h>
+#include <patchgrip/friction/limit_surface/scaled_load.h>
 
 namespace patchgrip::friction {
 namespace {
@@ -21,6 +22,9 @@ constexpr int smooth_evaluations = 25;
 
 // The same where kinks are known, and away from them D is smooth.
 constexpr int kinked_evaluations = 12;
+
+// Of all evaluations, what kinks may take before cutting planes have the rest: with some close together it is vain.
+constexpr double kinks_share = 0.5;
 
 // Of the pressure along a force across a line load, in squared radii of gyration: a start with the pole off the line.
 constexpr double least_spread = 1e-12;
@@ -45,21 +49,25 @@ class Maximiser {
       : patch_(patch),
         frame_(frame),
         settings_(settings),
+        kinks_settings_(settings),
         load_(load),
         arm_(std::fabs(frame.x) + std::fabs(frame.y)),
-        t_(frame.about_centroid(load)) {}
+        t_(frame.about_centroid(load)) {
+    kinks_settings_.max_evaluations = static_cast<int>(kinks_share * settings.max_evaluations);
+  }
 
   Gauge run() noexcept {
     if (const Kink* kink = likely_kink(frame_, load_)) {
       if (const auto gauge = gauge_at(*kink, patch_, frame_, load_, settings_, evaluations_)) return *gauge;
     }
     climb(start());
-    for (std::size_t i = 0; i < frame_.kinks.size() && !narrow(best_.bracket); ++i) {
+    const int last = kinks_settings_.max_evaluations;
+    for (std::size_t i = 0; i < frame_.kinks.size() && !narrow(best_.bracket) && evaluations_ < last; ++i) {
       // It got stuck at a kink, to stay there or not.
       const Kink& kink = *nearest_kink(frame_, best_.v);
-      if (const auto gauge = gauge_at(kink, patch_, frame_, load_, settings_, evaluations_)) return *gauge;
+      if (const auto gauge = gauge_at(kink, patch_, frame_, load_, kinks_settings_, evaluations_)) return *gauge;
       const auto away = away_from(kink, patch_, frame_, load_, evaluations_);
-      if (!away || evaluations_ >= settings_.max_evaluations) break;
+      if (!away || evaluations_ >= last) break;
       climb(frame_.about_centroid(*away));
     }
     if (narrow(best_.bracket)) {
@@ -108,6 +116,8 @@ class Maximiser {
     i.dissipation = power(i.g.value, i.v);
     i.value = power(load_, i.v) / i.dissipation;
     i.bracket = certify(frame_, load_, i.v, i.g);
+    lower_ = std::max(lower_, i.bracket.lower);
+    upper_ = std::min(upper_, i.bracket.upper);
     return i;
   }
 
@@ -164,23 +174,17 @@ class Maximiser {
   // True if three planes agree on the gauge as closely as asked for.
   bool cut() noexcept {
     CuttingPlanes planes(t_, plane(at({0, 0, 1})));
-    Bracket b = std::isfinite(best_.value) ? best_.bracket : Bracket{};
-    const auto look_at = [&](const Vector& u) {
-      best_ = at(u);
-      b.lower = std::max(b.lower, best_.bracket.lower);
-    };
     do {
-      look_at(planes.twist());
-      b.upper = std::min(b.upper, upper_bound(planes));
+      best_ = at(planes.twist());
+      upper_ = std::min(upper_, upper_bound(planes));
       // Close to the kink rounding turns the gradient by more than it lies beyond the planes.
     } while (dot(best_.gradient, best_.u) - 1 > best_.g.force_error && evaluations_ < settings_.max_evaluations &&
              planes.add(plane(best_)));
     // There D is bounded worse than a little aside of it.
-    const Iterate kink = best_;
-    look_at(moved(kink.u, 1e-8 * std::sqrt(dot(kink.u, kink.u)), {1, 0, 0}));
-    best_ = kink;
-    best_.bracket = b;
-    return b.upper - b.lower <= settings_.relative_gap * b.lower;
+    at(moved(best_.u, 1e-8 * std::sqrt(dot(best_.u, best_.u)), {1, 0, 0}));
+    best_.bracket.lower = lower_;
+    best_.bracket.upper = upper_;
+    return upper_ - lower_ <= settings_.relative_gap * lower_;
   }
 
   double upper_bound(const CuttingPlanes& planes) const noexcept {
@@ -209,10 +213,12 @@ class Maximiser {
   const PatchView& patch_;
   const PressureFrame& frame_;
   const GaugeSettings& settings_;
+  GaugeSettings kinks_settings_;
   Wrench load_;
   double arm_;
   Vector t_;
   Iterate best_;
+  double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();  // of all that was asked
   int evaluations_ = 0;
   bool ridge_ = false;
 };
@@ -222,13 +228,8 @@ class Maximiser {
 Gauge maximise(const PatchView& patch, const PressureFrame& frame, const Wrench& load,
                const GaugeSettings& settings) noexcept {
   if (const auto known = trivial_gauge(load)) return *known;
-  const int e = load_exponent(load, std::fabs(frame.x) + std::fabs(frame.y) + frame.length);
-  const Wrench scaled{std::scalbn(load.fx, -e), std::scalbn(load.fy, -e), std::scalbn(load.m, -e)};
-  Gauge g = Maximiser(patch, frame, scaled, settings).run();
-  g.value = std::scalbn(g.value, e);
-  g.lower = std::scalbn(g.lower, e);
-  g.upper = std::scalbn(g.upper, e);
-  return g;
+  const ScaledLoad scaled(load, std::fabs(frame.x) + std::fabs(frame.y) + frame.length);
+  return scaled.back(Maximiser(patch, frame, scaled.load, settings).run());
 }
 
 }  // namespace patchgrip::friction
