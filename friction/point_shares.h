@@ -9,8 +9,8 @@
 // and a patch without that member has none.
 //
 // Units    x, y [m]; share [1] of D's integral.
-// Error    x, y are exact: a twist (w y, -w x, w), |w| a power of 2, is to the patch at rest at the point. A point whose
-//          place has to be rounded is not told; share is good to 3 units of rounding a nesting.
+// Error    x, y are exact: a twist (w y, -w x, w), |w| a power of 2, is to the patch at rest at the point. A point
+//          whose place has to be rounded is not told; share is good to 3 units of rounding a nesting.
 #pragma once
 
 #include <concepts>

@@ -9,7 +9,7 @@
 // With a point load at the pole the three end up on its facet, around the load.
 //
 // Domain   patches whose kinks are not told (point_shares.h), and loads whose slip lies between several kinks.
-// Units    gradients (fx, fy, m / length) [1] and twists (vx, vy, w length) [m/s] about the centroid (pressure_frame.h).
+// Units    gradients (fx, fy, m / length) [1], twists (vx, vy, w length) [m/s] about the centroid (pressure_frame.h).
 // Error    the three gradients and the load's residual carry it: gauge_solver.cc adds them up. Next to a kink rounding
 //          of the gradient leaves a bracket about 1e-8 wide.
 #pragma once

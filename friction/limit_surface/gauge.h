@@ -7,8 +7,8 @@
 // of it, parallel to -t.
 //
 // Units    load [N], [N], [N m] as twist.h; g [N].
-// Error    lower <= g(t) <= upper, rounding included, as far as the patch's own bounded_gradient() holds. The bracket is
-//          wide by the first order of the slip's error, `value` wrong by the second: to rounding once converged.
+// Error    lower <= g(t) <= upper, rounding included, as far as the patch's own bounded_gradient() holds. The bracket
+//          is wide by the first order of the slip's error, `value` wrong by the second: to rounding once converged.
 #pragma once
 
 #include <optional>

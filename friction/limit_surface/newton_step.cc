@@ -9,8 +9,8 @@ namespace {
 // What Newton's matrix is raised by, of its trace: some tens of its rounding.
 constexpr double raise = 1e-14;
 
-// A curvature of D below this many raises is none that rounding of the gradient could tell: the pole would be uncertain by
-// 2^-53 / (least_curvature * raise), a millionth of a radius.
+// A curvature of D below this many raises is none that rounding of the gradient could tell: the pole would be uncertain
+// by 2^-53 / (least_curvature * raise), a millionth of a radius.
 constexpr double least_curvature = 1e4;
 
 // How far off a line load its Hessian is taken, in radii of gyration: there it is about 1 / aside, and good to

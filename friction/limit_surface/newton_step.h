@@ -21,8 +21,8 @@ struct NewtonStep {
   bool flat;  // in some direction the curvature of D is none that rounding of the gradient could tell
 };
 
-// `v` about the origin, where the gradient is `g` about the centroid and D(v) = `D`; `value` = t . v / D. None where the
-// Hessian is infinite, and next to it.
+// `v` about the origin, where the gradient is `g` about the centroid and D(v) = `D`; `value` = t . v / D. None where
+// the Hessian is infinite, and next to it.
 std::optional<NewtonStep> newton_step(const PatchView& patch, const PressureFrame& frame, const Vector& t,
                                       const Twist& v, const Vector& g, double D, double value) noexcept;
 

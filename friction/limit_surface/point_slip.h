@@ -54,7 +54,7 @@ const Kink* likely_kink(const PressureFrame& frame, const Wrench& load) noexcept
 // The kink that is nearest to the pole of a slip; null if there is none.
 const Kink* nearest_kink(const PressureFrame& frame, const Twist& v) noexcept;
 
-// A slip away from the kink, of a greater t . v / D(v) than that about it: whoever climbs from there does not come back.
+// A slip away from the kink, of a greater t . v / D(v) than that about it: a climb from there does not come back.
 std::optional<Twist> away_from(const Kink& kink, const PatchView& patch, const PressureFrame& frame, const Wrench& load,
                                int& evaluations) noexcept;
 

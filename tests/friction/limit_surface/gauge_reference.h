@@ -1,9 +1,9 @@
 // Gauge and slip of a load in 50 digits, of any pressure whose gradient is known in 50 digits and of point loads.
 //
-// With the pole on a point load that bears what the rest leaves to it, |F / g - F_R| <= w, the gauge is |M_P| / R_P. All
-// other loads start slips at which D is smooth. Those are found by Newton's method for the least of D^2 / 2 - t . v,
-// from a slip that is said to be near, or else with sqrt(|v_P|^2 + epsilon^2) for |v_P| and epsilon towards 0: convex
-// and without kinks, so that no start is a bad one. What is found is proven: t / g is the gradient of D itself there, to 1e-27, and by convexity g is the gauge.
+// With the pole on a point load that bears what the rest leaves to it, |F / g - F_R| <= w, the gauge is |M_P| / R_P.
+// Other loads start slips at which D is smooth. Those are found by Newton's method for the least of D^2 / 2 - t . v,
+// from a slip said to be near, or else with sqrt(|v_P|^2 + epsilon^2) for |v_P| and epsilon towards 0: convex, without
+// kinks, no start is a bad one. Proven: t / g is the gradient of D itself there, to 1e-27; by convexity g is the gauge.
 #pragma once
 
 #include <array>
