@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,9 +15,13 @@
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/uniform_disc.h>
+#include <patchgrip/tests/friction/limit_surface/loads.h>
+#include <patchgrip/tests/friction/limit_surface/point_loads.h>
 
 namespace patchgrip::friction {
 namespace {
+
+using ::patchgrip::testing::cases;
 
 struct Row {
   Wrench load;
@@ -90,6 +95,52 @@ TEST(LimitSurface, LoadThatIsNotFiniteHasNoGauge) {
       EXPECT_EQ(g.status, GaugeStatus::not_finite);
     }
   }
+}
+
+// A power of two times a load has that times the gauge and its bracket, and the same slip.
+template <class P>
+void expect_every_size(const P& patch) {
+  const LimitSurface surface(patch);
+  std::mt19937_64 engine(17);
+  for (int i = 0; i < cases(50); ++i) {
+    const Wrench t = draw_load(engine, patch.moments());
+    const Gauge g = surface.gauge(t);
+    for (const int e : {-950, -700, -283, -100, 100, 283, 700, 900}) {
+      const Wrench s{std::scalbn(t.fx, e), std::scalbn(t.fy, e), std::scalbn(t.m, e)};
+      const Gauge at = surface.gauge(s);
+      EXPECT_EQ(std::scalbn(at.value, -e), g.value) << e;
+      EXPECT_EQ(std::scalbn(at.lower, -e), g.lower) << e;
+      EXPECT_EQ(std::scalbn(at.upper, -e), g.upper) << e;
+      EXPECT_EQ(at.twist.vx, g.twist.vx) << e;
+      EXPECT_EQ(at.twist.vy, g.twist.vy) << e;
+      EXPECT_EQ(at.twist.w, g.twist.w) << e;
+      EXPECT_EQ(at.status, g.status) << e;
+    }
+  }
+}
+
+TEST(LimitSurface, GaugesOfEverySizeAreThatSizeTimesOne) {
+  expect_every_size(Rectangle::of_sides(0.04, 0.02));
+  expect_every_size(HertzDisc::of_radius(3));
+  expect_every_size(point_scenes()[5].patch());
+}
+
+// The gauge of a force through the centroid is its size: in units of the least double, and beyond the largest.
+TEST(LimitSurface, BracketsHoldOfGaugesThatAreSubnormalOrOverflow) {
+  using Limits = std::numeric_limits<double>;
+  const double unit = Limits::denorm_min();
+  const LimitSurface surface(Rectangle::of_sides(0.04, 0.02));
+  for (int x = 0; x < 12; ++x) {
+    for (int y = x == 0 ? 1 : 0; y < 12; ++y) {
+      const Gauge g = surface.gauge({x * unit, -y * unit, 0});
+      EXPECT_LE(g.lower / unit, std::hypot(x, y)) << x << ' ' << y;
+      EXPECT_GE(g.upper / unit, std::hypot(x, y)) << x << ' ' << y;
+      EXPECT_LE((g.upper - g.lower) / unit, 3) << x << ' ' << y;
+    }
+  }
+  const Gauge large = surface.gauge({1.5e308, 1.5e308, 0});
+  EXPECT_EQ(large.lower, Limits::max());
+  EXPECT_EQ(large.upper, Limits::infinity());
 }
 
 TEST(LimitSurface, SettingsOutOfRangeAreRefused) {

@@ -100,10 +100,12 @@ TEST_P(PointLoads, NoLoadTakesManyEvaluations) {
       const Gauge g = surface.gauge(draw_load(engine, kind, scene, surface.patch()));
       ASSERT_NE(g.status, GaugeStatus::stalled);
       ASSERT_LE(g.upper - g.lower, 1e-12 * g.value);
-      ASSERT_LE(g.evaluations, 40);
+      ASSERT_LE(g.evaluations, 25);
       sum += g.evaluations;
     }
-    EXPECT_LE(sum / count, 6);
+    if (all_cases()) {
+      EXPECT_LE(sum / count, 5.2);
+    }
   }
 }
 
@@ -214,6 +216,75 @@ TEST(PointLoadPlaces, ThatAreNotToldStillBracket) {
       EXPECT_TRUE(std::isinf(slip_error(g, t, view(surface.patch()), surface.frame()).pole_error));
     }
   }
+}
+
+// Point loads that do not tell where they are.
+struct Untold {
+  Several patch;
+
+  double dissipation(const Twist& v) const noexcept { return patch.dissipation(v); }
+  Wrench gradient(const Twist& v) const noexcept { return patch.gradient(v); }
+  BoundedWrench bounded_gradient(const Twist& v) const noexcept { return patch.bounded_gradient(v); }
+  Hessian hessian(const Twist& v) const { return patch.hessian(v); }
+  PressureMoments moments() const noexcept { return patch.moments(); }
+  double area_radius() const noexcept { return patch.area_radius(); }
+};
+
+// Two of three feet so close to each other that hardly a slip is next to one of them alone.
+class CloseFeet : public ::testing::TestWithParam<double> {
+ public:
+  const PointScene scene{"", {{0, 0, 1}, {GetParam(), 0, 1}, {1, 1, 1}}};
+  const LimitSurface<Several> told{scene.patch()};
+};
+
+INSTANTIATE_TEST_SUITE_P(Distances, CloseFeet, ::testing::Values(1e-6, 1e-8));
+
+TEST_P(CloseFeet, GaugesAreWithinTheirBrackets) {
+  const GaugeReference reference = scene.reference();
+  std::mt19937_64 engine(6);
+  for (int i = 0; i < cases(100); ++i) {
+    const Wrench t = draw_load(engine, load_kinds[i % 4], scene, told.patch());
+    SCOPED_TRACE(::testing::Message() << std::setprecision(17) << t.fx << ' ' << t.fy << ' ' << t.m);
+    const Gauge g = told.gauge(t);
+    const auto truth = reference.slip(t, g.twist);
+    ASSERT_TRUE(truth);
+    ASSERT_LE(g.lower, truth->gauge);
+    ASSERT_GE(g.upper, truth->gauge);
+  }
+}
+
+// Cutting planes alone leave brackets up to 3e-9 wide, and more than 4 % of the loads stalled.
+TEST_P(CloseFeet, BracketsAreAsNarrowAsThoseOfFeetThatAreNotToldOrNarrower) {
+  const LimitSurface untold(Untold{scene.patch()});
+  std::mt19937_64 engine(7);
+  const int count = cases(4000);
+  int stalled = 0, untold_stalled = 0;
+  double widest = 0, untold_widest = 0;
+  for (int i = 0; i < count; ++i) {
+    const Wrench t = draw_load(engine, load_kinds[i % 4], scene, told.patch());
+    const Gauge g = told.gauge(t), u = untold.gauge(t);
+    ASSERT_LE(g.lower, u.upper);
+    ASSERT_GE(g.upper, u.lower);
+    stalled += g.status == GaugeStatus::stalled;
+    untold_stalled += u.status == GaugeStatus::stalled;
+    widest = std::max(widest, (g.upper - g.lower) / g.value);
+    untold_widest = std::max(untold_widest, (u.upper - u.lower) / u.value);
+  }
+  EXPECT_LE(widest, 3e-9);
+  if (all_cases()) {
+    EXPECT_LE(widest, untold_widest);
+    EXPECT_LE(stalled, untold_stalled / 4);
+    EXPECT_LE(stalled, 0.01 * count);
+  }
+}
+
+// The kinks had all evaluations but two, and left a bracket 0.36 wide.
+TEST(CloseFeetLoad, ThatTookAllEvaluationsConverges) {
+  const PointScene scene{"", {{0, 0, 1}, {1e-8, 0, 1}, {1, 1, 1}}};
+  const Gauge g = LimitSurface(scene.patch()).gauge({0.25466380528663723, 0.19186161246815336, 0.32262037609313388});
+  EXPECT_EQ(g.status, GaugeStatus::converged);
+  EXPECT_LE(g.upper - g.lower, 1e-12 * g.value);
+  EXPECT_NEAR(g.value, 0.684381164773, 1e-12);
 }
 
 TEST(PointLoadAlone, HasNoLimitSurface) {
