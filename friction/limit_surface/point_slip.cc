@@ -76,7 +76,8 @@ Planar velocity_of_point(const Stiffness& h, double w, const Planar& a, double l
     if (!(std::fabs(next - r) > 4 * unit * r)) break;
     r = std::max(next, 0.);
   }
-  const double z1 = r * a1 / (h1 * r + w), z2 = r * a2 / (h2 * r + w);
+  double z1 = r * a1 / (h1 * r + w), z2 = r * a2 / (h2 * r + w);
+  if (const double length = std::hypot(z1, z2); length > longest) z1 *= longest / length, z2 *= longest / length;
   return {c * z1 - s * z2, s * z1 + c * z2};
 }
 

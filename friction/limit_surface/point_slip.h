@@ -37,7 +37,7 @@ struct PointForce {
 
 PointForce point_force(const Kink& kink, const NearKink& near, const Wrench& load) noexcept;
 
-// z with (H + w / |z|) z = a, where |a| > w. Not longer than `longest`, where it would be that of w less.
+// z with (H + w / |z|) z = a, where |a| > w. Shortened to `longest` where it is longer.
 Planar velocity_of_point(const Stiffness& h, double w, const Planar& a, double longest) noexcept;
 
 // a . H a / |a|^2, of the force by the velocity along it; 0 where rounding of H would not tell it from that.
@@ -54,7 +54,8 @@ const Kink* likely_kink(const PressureFrame& frame, const Wrench& load) noexcept
 // The kink that is nearest to the pole of a slip; null if there is none.
 const Kink* nearest_kink(const PressureFrame& frame, const Twist& v) noexcept;
 
-// A slip away from the kink, of a greater t . v / D(v) than that about it: a climb from there does not come back.
+// A slip away from the kink, of a greater t . v / D(v) than that about it: whoever climbs from there does not come
+// back.
 std::optional<Twist> away_from(const Kink& kink, const PatchView& patch, const PressureFrame& frame, const Wrench& load,
                                int& evaluations) noexcept;
 
