@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <patchgrip/friction/limit_surface/point_slip.h>
+#include <patchgrip/friction/limit_surface/scaled_load.h>
 
 namespace patchgrip::friction {
 namespace {
@@ -30,7 +31,9 @@ std::array<Vector, 2> plane_across(const Vector& t) noexcept {
 }
 
 // Length of the Newton step for the residual, twice, and of that for an error `noise` of it; in the plane t . u = 1.
-double distance_to_maximiser(const Hessian& h, const Vector& t, const Vector& residual, double noise) noexcept {
+// `rounding` is that of the stiffness: where it is all there is, nothing is known, and above that it softens the least.
+double distance_to_maximiser(const Hessian& h, double rounding, const Vector& t, const Vector& residual,
+                             double noise) noexcept {
   const auto [a, b] = plane_across(t);
   const Vector ha = times(h, a), hb = times(h, b);
   const double aa = dot(a, ha), ab = dot(a, hb), bb = dot(b, hb);
@@ -39,9 +42,9 @@ double distance_to_maximiser(const Hessian& h, const Vector& t, const Vector& re
   const double apart = std::hypot(0.5 * (aa - bb), ab);
   const double determinant = aa * bb - ab * ab;
   const double least = determinant > 0 ? determinant / (mean + apart) : mean - apart;
-  // Rounding leaves that much of each.
-  if (!(least > 8 * unit * mean)) return infinity;
-  return 2 * std::hypot(bb * ra - ab * rb, aa * rb - ab * ra) / determinant + noise / least;
+  if (!(least > rounding)) return infinity;
+  const double step = std::hypot(bb * ra - ab * rb, aa * rb - ab * ra) / determinant;
+  return (2 * step * least + noise) / (least - rounding);
 }
 
 // Velocity and spin about the centroid that the slip is off by, the spin made a speed by the radius of gyration.
@@ -49,13 +52,20 @@ double smooth_error(const Gauge& gauge, const Wrench& load, const PatchView& pat
                     double shape_error) noexcept {
   Hessian h;
   if (!patch.hessian(patch.patch, gauge.twist, h)) return infinity;
+  h = frame.about_centroid(h);
   const BoundedWrench g = patch.gradient(patch.patch, gauge.twist);
   const Vector t = scaled(frame.about_centroid(load), 1 / gauge.value);
   const Vector residual = moved(t, -1, frame.about_centroid(g.value));
+  // Taken to the centroid: forces times the arm, and of the moments three roundings each.
+  const double arm = std::hypot(frame.x, frame.y);
+  const auto moved_by = [&](const Wrench& q) { return std::fabs(q.m) + arm * std::hypot(q.fx, q.fy); };
+  const double moment_error =
+      g.moment_error + arm * g.force_error + 3 * unit * (moved_by(load) / gauge.value + moved_by(g.value));
   // A shape that is wider by delta bears a moment that is greater by delta, and takes its pole along.
   const double shape = 2 * shape_error * std::fabs(t[2]);
-  return distance_to_maximiser(frame.about_centroid(h), t, residual,
-                               g.force_error + g.moment_error / frame.length + shape);
+  const double far = 1 + arm / frame.length;
+  const double rounding = 8 * unit * far * far * 0.5 * (h.xx + h.yy + h.ww);
+  return distance_to_maximiser(h, rounding, t, residual, g.force_error + moment_error / frame.length + shape);
 }
 
 // Velocity of the point, at unit spin, that it is off by. 0: the pole is the point.
@@ -80,30 +90,44 @@ double error_at(const Kink& kink, const Gauge& gauge, const Wrench& load, const 
   return turned + 2 * (std::fabs(asked - w) + noise + stiffness * turned) / along;
 }
 
+// Load and gauge near 1; a gauge that is subnormal is rounded to the last bit that it has.
+Gauge scaled_with(const ScaledLoad& scaled, Gauge g) noexcept {
+  constexpr double last = std::numeric_limits<double>::denorm_min();
+  g.value = std::scalbn(g.value, -scaled.exponent);
+  g.lower = std::scalbn(g.lower - last, -scaled.exponent);
+  g.upper = std::scalbn(g.upper + last, -scaled.exponent);
+  return g;
+}
+
 }  // namespace
 
-SlipError slip_error(const Gauge& gauge, const Wrench& load, const PatchView& patch, const PressureFrame& frame,
+SlipError slip_error(const Gauge& of_load, const Wrench& any_load, const PatchView& patch, const PressureFrame& frame,
                      double shape_error) noexcept {
+  const Pole pole{-of_load.twist.vy / of_load.twist.w, of_load.twist.vx / of_load.twist.w};
+  const bool known = of_load.status == GaugeStatus::converged || of_load.status == GaugeStatus::facet;
+  if (!known || !(of_load.value > 0) || std::isinf(of_load.value)) return {infinity, infinity, pole, infinity};
+  const double arm = std::hypot(frame.x, frame.y);
+  const ScaledLoad scaled(any_load, arm + frame.length);
+  const Wrench& load = scaled.load;
+  const Gauge gauge = scaled_with(scaled, of_load);
   const Twist& v = gauge.twist;
   const Vector u = frame.about_centroid(v);
   const double speed = std::hypot(u[0], u[1]);  // of the centroid
   const double spin = std::fabs(v.w);
-  const double rounding = 8 * unit * (speed + frame.length * spin);
-  const Pole pole{-v.vy / v.w, v.vx / v.w};
-  const bool known = gauge.status == GaugeStatus::converged || gauge.status == GaugeStatus::facet;
-  if (!known) return {infinity, infinity, pole, infinity};
-  const double arm = std::hypot(frame.x, frame.y);
+  // D(v) is rounded as the terms of grad D . v are, about the origin.
+  const double D_rounding = 8 * unit * (1 + std::hypot(v.vx, v.vy) + (arm + frame.length) * spin);
   const double pole_rounding = 2 * unit * (std::fabs(pole.x) + std::fabs(pole.y));
 
   double moved = infinity;
   if (gauge.status != GaugeStatus::facet) {
-    moved = rounding + shape_error * speed + smooth_error(gauge, load, patch, frame, shape_error);
+    moved = D_rounding * (speed + frame.length * spin) + shape_error * speed +
+            smooth_error(gauge, load, patch, frame, shape_error);
   }
   const Kink* kink = nearest_kink(frame, v);
   if (kink && spin > 0 && !(4 * moved < length_of(kink->velocity(v)))) {
     const double z = error_at(*kink, gauge, load, patch, frame, shape_error);
     // D = 1, and D changes by no more than |z| spin.
-    const double scale = 8 * unit + (gauge.upper - gauge.lower) / gauge.value + spin * z + shape_error;
+    const double scale = D_rounding + (gauge.upper - gauge.lower) / gauge.value + spin * z + shape_error;
     const double speed_error = spin * z + scale * std::hypot(v.vx, v.vy);
     if (gauge.status == GaugeStatus::facet && z == 0) {
       return {speed_error, spin * scale, {kink->point.x, kink->point.y}, 0};
