@@ -101,15 +101,14 @@ Gauge scaled_with(const ScaledLoad& scaled, Gauge g) noexcept {
 
 }  // namespace
 
-SlipError slip_error(const Gauge& of_load, const Wrench& any_load, const PatchView& patch, const PressureFrame& frame,
+SlipError slip_error(const Gauge& gauge, const Wrench& load, const PatchView& patch, const PressureFrame& frame,
                      double shape_error) noexcept {
-  const Pole pole{-of_load.twist.vy / of_load.twist.w, of_load.twist.vx / of_load.twist.w};
-  const bool known = of_load.status == GaugeStatus::converged || of_load.status == GaugeStatus::facet;
-  if (!known || !(of_load.value > 0) || std::isinf(of_load.value)) return {infinity, infinity, pole, infinity};
+  const Pole pole{-gauge.twist.vy / gauge.twist.w, gauge.twist.vx / gauge.twist.w};
+  const bool known = gauge.status == GaugeStatus::converged || gauge.status == GaugeStatus::facet;
+  if (!known || !(gauge.value > 0) || std::isinf(gauge.value)) return {infinity, infinity, pole, infinity};
   const double arm = std::hypot(frame.x, frame.y);
-  const ScaledLoad scaled(any_load, arm + frame.length);
-  const Wrench& load = scaled.load;
-  const Gauge gauge = scaled_with(scaled, of_load);
+  const ScaledLoad scaled(load, arm + frame.length);
+  const Gauge g = scaled_with(scaled, gauge);
   const Twist& v = gauge.twist;
   const Vector u = frame.about_centroid(v);
   const double speed = std::hypot(u[0], u[1]);  // of the centroid
@@ -121,13 +120,13 @@ SlipError slip_error(const Gauge& of_load, const Wrench& any_load, const PatchVi
   double moved = infinity;
   if (gauge.status != GaugeStatus::facet) {
     moved = D_rounding * (speed + frame.length * spin) + shape_error * speed +
-            smooth_error(gauge, load, patch, frame, shape_error);
+            smooth_error(g, scaled.load, patch, frame, shape_error);
   }
   const Kink* kink = nearest_kink(frame, v);
   if (kink && spin > 0 && !(4 * moved < length_of(kink->velocity(v)))) {
-    const double z = error_at(*kink, gauge, load, patch, frame, shape_error);
+    const double z = error_at(*kink, g, scaled.load, patch, frame, shape_error);
     // D = 1, and D changes by no more than |z| spin.
-    const double scale = D_rounding + (gauge.upper - gauge.lower) / gauge.value + spin * z + shape_error;
+    const double scale = D_rounding + (g.upper - g.lower) / g.value + spin * z + shape_error;
     const double speed_error = spin * z + scale * std::hypot(v.vx, v.vy);
     if (gauge.status == GaugeStatus::facet && z == 0) {
       return {speed_error, spin * scale, {kink->point.x, kink->point.y}, 0};
