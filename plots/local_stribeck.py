@@ -9,9 +9,9 @@ from style import BLACK, plt
 
 PATCHES = {
     "hertz_disc": ("Hertz disc", "distance of the pole / radius [-]"),
-    "hertz_ellipse_3_1": ("Hertz ellipse 3 : 1", "pole on the long axis / semi-axis [-]"),
-    "rectangle_4_1": ("rectangle 4 : 1", "pole on the long axis / half the long side [-]"),
-    "rectangle_20_1": ("rectangle 20 : 1", "pole on the long axis / half the long side [-]"),
+    "hertz_ellipse_3_1": ("Hertz ellipse 3 : 1", "pole on the axis / semi-axis [-]"),
+    "rectangle_4_1": ("rectangle 4 : 1", "pole on the axis / half length [-]"),
+    "rectangle_20_1": ("rectangle 20 : 1", "pole on the axis / half length [-]"),
 }
 LEVELS = [1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1]
 
