@@ -90,6 +90,21 @@ class Tabulate : public ::testing::Test {
     return parsed(content(file));
   }
 
+  // The rows of a scene, a force of 10 N on `patch`, are what the library says at each point.
+  template <class P>
+  void expect_local_friction(const std::string& text, const P& patch) {
+    const Scene scene = scene_of(text + "angular_speed = [0.1, 1, 10]\n");
+    const Table table = table_of(scene);
+    ASSERT_THAT(table.rows, SizeIs(6));
+    for (const Row& row : table.rows) {
+      const auto wrench = local_friction_wrench(scene.law, 10, patch, {row.vx, row.vy, row.w});
+      EXPECT_EQ(row.fx, wrench.value.fx);
+      EXPECT_EQ(row.m, wrench.value.m);
+      EXPECT_GE(row.force_error, wrench.force_error);
+      EXPECT_LE(row.force_error, 1e-13);
+    }
+  }
+
   static std::string content(const fs::path& file) {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -199,38 +214,14 @@ TEST_F(Tabulate, StribeckFrictionFallsWithSpeed) {
   EXPECT_NEAR(slow / fast, 0.6 / 0.4, 1e-12);
 }
 
-// At each point: as the library says, for a disc from bodies with a wider bound, and for each kind of patch.
 TEST_F(Tabulate, StribeckFrictionIsTakenAtEachPointIfAsked) {
   const std::string law = "mu_static = 0.6\nmu_kinetic = 0.4\nstribeck_velocity = 0.01\nstribeck = \"local\"";
-  const Scene scene = scene_of(with(test::good_disc, "mu = 0.5", law) + "angular_speed = [0.1, 1, 10]\n");
-  const Table table = table_of(scene);
-  ASSERT_THAT(table.rows, SizeIs(6));
-  for (const Row& row : table.rows) {
-    const auto wrench =
-        local_friction_wrench(scene.law, 10, friction::HertzDisc::of_radius(0.005), {row.vx, row.vy, row.w});
-    EXPECT_EQ(row.fx, wrench.value.fx);
-    EXPECT_EQ(row.m, wrench.value.m);
-    EXPECT_GE(row.force_error, wrench.force_error);
-    EXPECT_LE(row.force_error, 1e-13);
-  }
+  const std::string disc = with(test::good_disc, "mu = 0.5", law);
+  expect_local_friction(disc, friction::HertzDisc::of_radius(0.005));
+  expect_local_friction(with(disc, "hertz_disc\"\nradius", "line\"\nlength"), friction::LineLoad::of_length(0.005));
   const Table bodies = table_of(scene_of(with(test::good_bodies, "mu = 0.8", law)));
-  EXPECT_GT(bodies.rows[0].moment_error, 0);
+  EXPECT_GT(bodies.rows[0].moment_error, 0);  // the bound is wider for a disc from bodies
   EXPECT_LT(bodies.rows[0].moment_error, 1e-13 * 10 * 0.001);
-}
-
-TEST_F(Tabulate, StribeckFrictionOfALineIsTakenAtEachPointIfAsked) {
-  const std::string law = "mu_static = 0.6\nmu_kinetic = 0.4\nstribeck_velocity = 0.01\nstribeck = \"local\"";
-  const std::string line = with(with(test::good_disc, "mu = 0.5", law), "hertz_disc\"\nradius", "line\"\nlength");
-  const Scene scene = scene_of(line + "angular_speed = [0.1, 1, 10]\n");
-  const Table table = table_of(scene);
-  ASSERT_THAT(table.rows, SizeIs(6));
-  for (const Row& row : table.rows) {
-    const auto wrench =
-        local_friction_wrench(scene.law, 10, friction::LineLoad::of_length(0.005), {row.vx, row.vy, row.w});
-    EXPECT_EQ(row.fx, wrench.value.fx);
-    EXPECT_EQ(row.m, wrench.value.m);
-    EXPECT_LE(row.force_error, 1e-13);
-  }
 }
 
 TEST_F(Tabulate, BodiesWidenTheBound) {

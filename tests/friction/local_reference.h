@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include <patchgrip/friction/kernels/edge_sum.h>
 #include <patchgrip/friction/patch.h>
 
@@ -22,6 +24,15 @@ struct LocalExcess {
   }
   friend LocalExcess operator*(Long k, const LocalExcess& a) { return {k * a.fx, k * a.fy, k * a.m}; }
 };
+
+// |found - exact| within the error that is stated, and that error of use. The exact one is good to `reference`.
+inline void expect_within_error(const BoundedWrench& found, const LocalExcess& exact, double length, double of_use,
+                                double reference = 1e-17) {
+  EXPECT_LE(std::hypot(found.value.fx - exact.fx, found.value.fy - exact.fy), found.force_error + reference);
+  EXPECT_LE(std::fabs(found.value.m - exact.m), found.moment_error + reference * length);
+  EXPECT_LE(found.force_error, of_use);
+  EXPECT_LE(found.moment_error, of_use * length);
+}
 
 // Tanh-sinh quadrature down to steps that see a singularity 1e-16 beside an end.
 class LongNodes {

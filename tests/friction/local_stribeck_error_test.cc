@@ -24,15 +24,6 @@ using patchgrip::testing::cases;
 using patchgrip::testing::log_uniform;
 using patchgrip::testing::uniform;
 
-// |found - exact| within the error that is stated, and that error of use. The reference is good to some 1e-18.
-void expect_within_error(const BoundedWrench& found, const LocalExcess& exact, double length, double of_use) {
-  constexpr double reference = 1e-17;
-  EXPECT_LE(std::hypot(found.value.fx - exact.fx, found.value.fy - exact.fy), found.force_error + reference);
-  EXPECT_LE(std::fabs(found.value.m - exact.m), found.moment_error + reference * length);
-  EXPECT_LE(found.force_error, of_use);
-  EXPECT_LE(found.moment_error, of_use * length);
-}
-
 TEST(LocalStribeckError, OfAUniformEllipseIsWithinItsError) {
   std::mt19937_64 engine(20060301);
   for (int i = cases(60); i > 0; --i) {
