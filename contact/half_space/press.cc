@@ -149,12 +149,16 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
   const auto prepare = [&](const Level& level, Resources resources) {
     return std::make_unique<ContactSolver>(level.grid, surface, level.gap, resources);
   };
-  // Grids too small for threads leave them time to prepare the first one that is not.
+  // Grids too small for threads leave them time to prepare the first two that are not.
   const auto first_shared = static_cast<std::size_t>(std::ranges::find_if(levels, is_shared) - levels.begin());
-  std::future<std::unique_ptr<ContactSolver>> prepared;
+  std::vector<std::unique_ptr<ContactSolver>> solvers(levels.size());
+  std::future<void> preparation;
   if (first_shared > 0 && first_shared < levels.size()) {
-    prepared =
-        std::async(std::launch::async, prepare, std::cref(levels[first_shared]), Resources{workers, memory, alone});
+    preparation = std::async(std::launch::async, [&] {
+      for (std::size_t k = first_shared; k < std::min(first_shared + 2, levels.size()); ++k) {
+        solvers[k] = prepare(levels[k], {workers, memory, alone});
+      }
+    });
   }
 
   PressedHalfSpace result{};
@@ -164,8 +168,9 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     const Level& level = levels[k];
     const bool finest = k + 1 == levels.size();
     const Resources resources{is_shared(level) ? workers : alone, memory};
-    std::unique_ptr<ContactSolver> solver =
-        k == first_shared && prepared.valid() ? prepared.get() : prepare(level, resources);
+    if (k == first_shared && preparation.valid()) preparation.get();
+    if (solvers[k] == nullptr) solvers[k] = prepare(level, resources);
+    ContactSolver& solver = *solvers[k];
     const double value = is_load ? press.value / contact_modulus / level.grid.cell_area() : press.value - least;
 
     if (k > 0) {
@@ -180,11 +185,11 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     const double factor = finest ? 1 : k + 2 == levels.size() ? estimate_tolerance : coarse_tolerance;
     const double tolerance = factor * settings.tolerance;
     if (k > 0 && start != nullptr) {
-      prefer_start(*solver, press.prescribed, value, extended_start(last.grid, *start, resources), pressure);
+      prefer_start(solver, press.prescribed, value, extended_start(last.grid, *start, resources), pressure);
     }
     const SolverStatus status =
-        solver->solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);
-    solver.reset();
+        solver.solve(press.prescribed, value, tolerance, settings.max_iterations, settings.observer, pressure);
+    solvers[k].reset();
     result.residual = status.residual;
     result.iterations = status.iterations;
     result.all_iterations += status.iterations;
