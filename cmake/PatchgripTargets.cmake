@@ -58,7 +58,8 @@ function(patchgrip_library name)
     set_target_properties(${target}_cgal PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
     target_include_directories(${target}_cgal PRIVATE ${PATCHGRIP_INCLUDE_DIR} ${PATCHGRIP_GENERATED_DIR})
     target_link_libraries(${target}_cgal PRIVATE patchgrip_flags CGAL::CGAL ${arg_PUBLIC} ${arg_PRIVATE})
-    target_compile_options(${target}_cgal PRIVATE -Wno-maybe-uninitialized)  # false alarms inlined from CGAL's headers
+    # False alarms inlined from CGAL's headers.
+    target_compile_options(${target}_cgal PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_cgal>)
     target_link_libraries(${target} INTERFACE $<LINK_ONLY:CGAL::CGAL>)
   endif()

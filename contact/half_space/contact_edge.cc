@@ -84,7 +84,8 @@ PATCHGRIP_VECTOR_CLONES void add_samples(std::size_t count, const Sample* sample
 
 // The fitted phi, edge_offset farther out; false if the normal equations are nearly singular.
 bool solve(Normal normal, double& phi) {
-  auto& [matrix, right] = normal;
+  std::array<double, products>& matrix = normal.matrix;
+  std::array<double, 8>& right = normal.right;
   const auto at = [&](std::size_t r, std::size_t s) -> double& { return matrix[r * (r + 1) / 2 + s]; };
   // From the last term to the first: only value and slope are needed.
   for (std::size_t k = terms; k-- > 0;) {
