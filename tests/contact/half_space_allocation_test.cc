@@ -1,45 +1,22 @@
 // The iterations of the solver allocate nothing: every operator new of this program is counted.
 #include <patchgrip/contact/half_space/solver.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <patchgrip/tests/contact/half_space_shapes.h>
-
-namespace {
-
-std::atomic<long> allocations = 0;
-
-void* counted(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  if (void* p = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment)) return p;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-// Not inlined: GCC would take free() for a mismatch of new.
-[[gnu::noinline]] void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+#include <patchgrip/tests/support/count_allocations.h>
 
 namespace patchgrip::contact {
 namespace {
 
+using testing::allocations;
+using testing::allocations_of;
+
 TEST(HalfSpaceAllocation, IsCounted) {
-  const long before = allocations;
-  std::vector<int> kept(100);
-  EXPECT_EQ(allocations - before, 1);
+  std::vector<int> kept;
+  EXPECT_EQ(allocations_of([&] { kept.resize(100); }), 1);
 }
 
 TEST(HalfSpaceAllocation, DoesNotHappenInAnIteration) {

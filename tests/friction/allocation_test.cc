@@ -1,7 +1,4 @@
 // Evaluating a patch allocates nothing: every operator new of this program is counted.
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,39 +10,12 @@
 #include <patchgrip/friction/limit_surface/quartic_gauge.h>
 #include <patchgrip/friction/seed_hertz_disc.h>
 #include <patchgrip/tests/friction/any_patch.h>
-
-namespace {
-
-std::atomic<long> allocations = 0;
-
-void* counted(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  if (void* p = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment)) return p;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-// Not inlined: GCC would take free() for a mismatch of new.
-[[gnu::noinline]] void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+#include <patchgrip/tests/support/count_allocations.h>
 
 namespace patchgrip::friction {
 namespace {
 
-template <class Function>
-long allocations_of(const Function& function) {
-  const long before = allocations;
-  function();
-  return allocations - before;
-}
+using testing::allocations_of;
 
 // Inside, on the rim or nearly, in every region of a polygon, far away and at infinity.
 const std::vector<Twist> motions{{0, 0, 1},   {0.01, 0.02, 1}, {1, 0, 1},   {0.6, 0.8, 1}, {2, 1, -1},
