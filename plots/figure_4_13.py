@@ -31,7 +31,7 @@ def main():
     axes.set_ylim(-8, 14)
     axes.text(1.03, 11, "Hertz", color=BLACK, ha="right")
     axes.text(1.74, 7.5, "JKR", color=BLUE, ha="right")
-    axes.text(1.45, 2.2, "DMT", color=ORANGE)
+    axes.text(1.09, 3.4, "DMT", color=ORANGE)
     axes.set_xlabel("contact radius $a_K$ [mm]")
     axes.set_ylabel("normal force $F_N$ [mN]")
     style.save(figure, options.output)

@@ -13,19 +13,18 @@ def main():
         r, u, p = table["x_m"] / table.radius, table["displacement_m"], table["pressure_Pa"]
         pressures.plot(r, p / p[0], color=colour, label=f"$n = {n}$")
         # One curvature 1/R at the tip for all: delta = a^2 / (n R).
-        shapes.plot(r, (u[0] - u) / (n * u[0]), color=colour, label=f"$n = {n}$")
+        shapes.plot(r, (u[0] - u) / (n * u[0]), color=colour)
         # (4.13a) as printed lacks a factor n in its peak.
         if n > 1:
             pressures.plot(r, p / (n * p[0]), color=colour, linestyle="--", linewidth=1)
-    pressures.plot([], [], color=GREY, linestyle="--", linewidth=1, label="as printed")
+    pressures.plot([], [], color=GREY, linestyle="--", linewidth=1, label="pressure as printed")
     pressures.set_ylabel("pressure $p / p_0$ [-]")
     shapes.set_ylabel("height of the stamp $f R / a_K^2$ [-]")
     for axes in (pressures, shapes):
         axes.set_xlabel("$r / a_K$ [-]")
         axes.set_xlim(0, 1)
         axes.set_ylim(0)
-    pressures.legend(loc="upper right", fontsize=7)
-    shapes.legend(loc="upper left")
+    shapes.legend(*pressures.get_legend_handles_labels(), loc="upper left")
     style.save(figure, options.output)
 
 

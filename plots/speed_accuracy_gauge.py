@@ -51,9 +51,8 @@ def main():
         draw_times(axes, [row for row in rows if row["patch"] == patch])
         axes.set_title(title, loc="left")
         axes.tick_params(labelleft=k % COLUMNS == 0, labelbottom=k + COLUMNS >= len(PATCHES))
-        if k // COLUMNS == lines - 1:
-            axes.set_xlabel("time of a gauge [ns]")
         panels.append(axes)
+    panels[-2].set_xlabel("time of a gauge [ns]")
     panels[0].set_xlim(2, 1e6)
     panels[0].set_ylim(1e-17, 3)
     panels[COLUMNS].set_ylabel("worst relative error of the gauge [-]")

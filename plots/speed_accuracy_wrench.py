@@ -32,7 +32,7 @@ def position(row, quantity):
 
 def draw(axes, measured, quantity):
     axes.axhline(ROUNDING, color=GREY, linewidth=0.8, linestyle="--")
-    axes.text(4e7, ROUNDING / 1.7, r"rounding, $2^{-53}$", ha="right", va="top", color=GREY)
+    axes.text(1.4e8, ROUNDING / 2, r"rounding, $2^{-53}$", ha="right", va="top", color=GREY)
     for method, (name, colour, marker) in METHODS.items():
         time, error = zip(*(position(row, quantity) for row in measured[method]))
         axes.loglog(time, error, marker=marker, markersize=8 if marker == "*" else 4.5, linewidth=1, color=colour, label=name)
@@ -66,8 +66,8 @@ def main():
     figure, (force, moment) = plt.subplots(1, 2, sharex=True, sharey=True, figsize=(style.PAGE, 3.5))
     draw(force, measured, "force")
     draw(moment, measured, "moment")
-    force.set_xlim(1, 5e7)
-    force.set_ylim(1e-17, 10)
+    force.set_xlim(1, 2e8)
+    force.set_ylim(1e-18, 10)
     name_series(force, measured, "force")
     handles = {name: handle for handle, name in zip(*force.get_legend_handles_labels())}
     force.legend([handles[METHODS[method][0]] for method in IN_LEGEND], [METHODS[method][0] for method in IN_LEGEND],

@@ -25,8 +25,9 @@ def main():
             axes.loglog(time, error, color=colour, marker=marker, markersize=8 if marker == "*" else 4, linewidth=1,
                         linestyle="" if marker == "*" else "-", label=name)
             if method != "closed form":
-                for row, t, e in ((of_method[i], time[i], error[i]) for i in (0, -1)):
-                    axes.annotate(row["parameter"], (t, e), xytext=(4, 3), textcoords="offset points", color=colour)
+                for i, offset in ((0, (4, 4)), (-1, (6, 2))):
+                    axes.annotate(of_method[i]["parameter"], (time[i], error[i]), xytext=offset, textcoords="offset points",
+                                  color=colour)
         axes.set_title(f"$a_K / R = {ratio:g}$", loc="left")
         axes.set_xlabel("time of a contact [ns]")
     panels[0].set_ylabel("relative error of the force [-]")
@@ -34,7 +35,8 @@ def main():
                     transform=panels[-1].get_yaxis_transform())
     figure.get_layout_engine().set(rect=(0, 0.1, 1, 0.9))
     figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=3)
-    panels[0].set_ylim(1e-17, 3)
+    panels[0].set_xlim(1e2, 5e9)
+    panels[0].set_ylim(1e-18, 3)
     style.save(figure, options.output)
 
 
