@@ -1,8 +1,9 @@
 // Friction force and moment against the pole: time and error of every method, in one run.
 //
-//     friction_wrench [--output CSV] [--short] [--benchmark_...]
+//     friction_wrench [--output CSV] [--short] [--patches] [--benchmark_...]
 //
-// --short measures only what the chart of error against time needs (plots/speed_accuracy_wrench.py).
+// --short    measures only what the chart of error against time needs (plots/speed_accuracy_wrench.py), less often
+// --patches  measures the methods that work on every patch (plots/speed_accuracy_patches.py) in place of the rest
 
 #include <benchmark/benchmark.h>
 
@@ -20,6 +21,7 @@
 #include <patchgrip/bench/patch_cases.h>
 #include <patchgrip/bench/report.h>
 #include <patchgrip/bench/timing.h>
+#include <patchgrip/bench/zone_cases.h>
 
 namespace {
 
@@ -27,6 +29,7 @@ using patchgrip::bench::Case;
 
 struct Options {
   bool is_short = false;
+  bool patches = false;
   std::string output;
 };
 
@@ -44,23 +47,26 @@ Options parse(int argc, char** argv) {
   pointers.push_back(nullptr);
   benchmark::Initialize(&count, pointers.data());
 
-  Options options{is_short, {}};
+  Options options{is_short, false, {}};
   for (int i = 1; i < count; ++i) {
     const std::string word = pointers[static_cast<std::size_t>(i)];
     if (word == "--output" && i + 1 < count) {
       options.output = pointers[static_cast<std::size_t>(++i)];
+    } else if (word == "--patches") {
+      options.patches = true;
     } else if (word != "--short") {
       std::cerr << "friction_wrench: unknown option " << word
-                << "; known are --output CSV, --short and --benchmark_...\n";
+                << "; known are --output CSV, --short, --patches and --benchmark_...\n";
       std::exit(2);
     }
   }
   return options;
 }
 
-std::vector<Case> cases_to_run(bool is_short) {
+std::vector<Case> cases_to_run(const Options& options) {
+  if (options.patches) return patchgrip::bench::zone_cases();
   std::vector<Case> cases = patchgrip::bench::work_precision_cases();
-  if (is_short) return cases;
+  if (options.is_short) return cases;
   for (auto* more : {patchgrip::bench::hertz_cases, patchgrip::bench::batch_cases, patchgrip::bench::round_cases,
                      patchgrip::bench::ellipse_cases, patchgrip::bench::polygon_cases}) {
     std::ranges::move(more(), std::back_inserter(cases));
@@ -72,7 +78,7 @@ std::vector<Case> cases_to_run(bool is_short) {
 
 int main(int argc, char** argv) {
   const Options options = parse(argc, argv);
-  const std::vector<Case> cases = cases_to_run(options.is_short);
+  const std::vector<Case> cases = cases_to_run(options);
   const std::vector<double> times = patchgrip::bench::least_times(cases);
 
   std::vector<patchgrip::bench::Measurement> measurements;
@@ -80,7 +86,7 @@ int main(int argc, char** argv) {
     measurements.push_back({cases[i].label, cases[i].error, cases[i].judged, times[i]});
   }
   patchgrip::bench::print_measurements(std::cout, measurements);
-  if (!options.is_short) patchgrip::bench::print_ratios(std::cout, measurements);
+  if (!options.is_short && !options.patches) patchgrip::bench::print_ratios(std::cout, measurements);
   if (options.output.empty()) return 0;
   std::ofstream file(options.output);
   patchgrip::bench::write_csv(file, measurements);

@@ -7,26 +7,9 @@
 #include <numbers>
 
 namespace patchgrip::bench {
-namespace {
-
-constexpr std::size_t intervals = 2000;
-
-template <class F>
-double adaptive(const F& f, double from, double to, double tolerance, gsl_integration_workspace* workspace) {
-  gsl_function function{[](double x, void* self) { return (*static_cast<const F*>(self))(x); }, const_cast<F*>(&f)};
-  double value = 0;
-  double error = 0;
-  gsl_integration_qags(&function, from, to, tolerance, tolerance, intervals, workspace, &value, &error);
-  return value;
-}
-
-}  // namespace
 
 GslQuadrature::GslQuadrature(double radius, double tolerance)
-    : radius_(radius),
-      tolerance_(tolerance),
-      outer_(gsl_integration_workspace_alloc(intervals)),
-      inner_(gsl_integration_workspace_alloc(intervals)) {
+    : radius_(radius), tolerance_(tolerance), outer_(gsl_workspace()), inner_(gsl_workspace()) {
   gsl_set_error_handler_off();  // where rounding ends the refinement, the value is kept as it is
 }
 
@@ -38,12 +21,12 @@ double GslQuadrature::integral(double x, const Integrand& integrand) const {
       const double d = std::sqrt((r - x) * (r - x) + 4 * r * x * s * s);
       return d > 0 ? integrand(r, std::cos(phi)) / d : 0.0;
     };
-    const double around = adaptive(arc, 0, std::numbers::pi, tolerance_ / 10, inner_.get());
+    const double around = adaptive(arc, 0, std::numbers::pi, tolerance_ / 10, inner_);
     return 3 / std::numbers::pi * std::sqrt((1 - r) * (1 + r)) * r * around;
   };
   const double split = std::min(x, 1.0);
-  double sum = adaptive(ring, 0, split, tolerance_, outer_.get());
-  if (split < 1) sum += adaptive(ring, split, 1, tolerance_, outer_.get());
+  double sum = adaptive(ring, 0, split, tolerance_, outer_);
+  if (split < 1) sum += adaptive(ring, split, 1, tolerance_, outer_);
   return sum;
 }
 

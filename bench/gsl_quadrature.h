@@ -10,10 +10,7 @@
 // The tolerance is absolute in units of mu F_N and mu F_N a, and relative: what is met first ends a quadrature.
 #pragma once
 
-#include <gsl/gsl_integration.h>
-
-#include <memory>
-
+#include <patchgrip/bench/gsl_adaptive.h>
 #include <patchgrip/friction/twist.h>
 
 namespace patchgrip::bench {
@@ -25,17 +22,12 @@ class GslQuadrature {
   friction::Wrench gradient(const friction::Twist& v) const;
 
  private:
-  struct Free {
-    void operator()(gsl_integration_workspace* w) const noexcept { gsl_integration_workspace_free(w); }
-  };
-  using Workspace = std::unique_ptr<gsl_integration_workspace, Free>;
-
   template <class Integrand>
   double integral(double x, const Integrand& integrand) const;
 
   double radius_;  // a [m]
   double tolerance_;
-  Workspace outer_, inner_;
+  GslWorkspace outer_, inner_;
 };
 
 }  // namespace patchgrip::bench

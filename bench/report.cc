@@ -34,13 +34,13 @@ void write_csv(std::ostream& out, std::span<const Measurement> measurements) {
   fmt::print(out,
              "# ns: fastest of several repetitions, per evaluation; errors: the worst over `judged` poles against 50 "
              "digits\n");
-  fmt::print(
-      out,
-      "method,parameter,patch,mix,ns,judged,error_force,error_moment,error_force_of_scale,error_moment_of_scale\n");
+  fmt::print(out,
+             "method,parameter,patch,mix,ns,judged,error_force,error_moment,error_force_of_scale,error_moment_of_scale,"
+             "error_wrench\n");
   for (const auto& [label, error, judged, ns] : measurements) {
-    fmt::print(out, "{},{:.17g},{},{},{:.6g},{},{:.6g},{:.6g},{:.6g},{:.6g}\n", label.method, label.parameter,
+    fmt::print(out, "{},{:.17g},{},{},{:.6g},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", label.method, label.parameter,
                label.patch, label.mix, ns, judged, error.force, error.moment, error.force_of_scale,
-               error.moment_of_scale);
+               error.moment_of_scale, error.wrench);
   }
 }
 

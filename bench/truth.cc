@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <patchgrip/bench/reference_truth.h>
 #include <patchgrip/friction/kernels/round_functions.h>
 #include <patchgrip/tests/friction/ellipse_reference.h>
 #include <patchgrip/tests/friction/polygon_reference.h>
@@ -37,6 +38,10 @@ void keep_larger(double& worst, double error) {
 
 }  // namespace
 
+Truth reference_truth(const friction::Gradient50& gradient, std::span<const Twist> twists) {
+  return truth_of(twists, [&](const Twist& v) { return gradient(v.vx, v.vy, v.w); });
+}
+
 Truth power_disc_truth(double radius, double exponent, std::span<const Twist> twists) {
   const friction::kernels::PowerFamily<Real50> source{Real50(exponent)};
   return truth_of(twists, [&](const Twist& v) { return friction::round_wrench(source, radius, v); });
@@ -71,6 +76,8 @@ WorstError worst_error(const Truth& truth, std::span<const Wrench> computed, dou
     keep_larger(worst.moment, moment_error / std::fabs(head.m));
     keep_larger(worst.force_of_scale, force_error);
     keep_larger(worst.moment_of_scale, moment_error / scale_radius);
+    keep_larger(worst.wrench, std::hypot(force_error, moment_error / scale_radius) /
+                                  std::hypot(head.fx, head.fy, head.m / scale_radius));
   }
   return worst;
 }

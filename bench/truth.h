@@ -31,6 +31,7 @@ struct WorstError {
   double moment = 0;           // relative to the moment
   double force_of_scale = 0;   // relative to mu F_N
   double moment_of_scale = 0;  // relative to mu F_N a_K
+  double wrench = 0;           // force and moment / a_K as one vector, relative to it
 };
 
 WorstError worst_error(const Truth& truth, std::span<const friction::Wrench> computed, double scale_radius);
