@@ -29,6 +29,7 @@ InterruptGuard::InterruptGuard() {
 
 InterruptGuard::~InterruptGuard() {
   for (std::size_t i = 0; i < noted.size(); ++i) sigaction(noted[i], &before[i], nullptr);
+  pending = 0;
 }
 
 void InterruptGuard::check() {

@@ -12,7 +12,7 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  // Throws Interrupted once a signal has arrived.
+  // Throws Interrupted once a signal has arrived while there is a guard.
   static void check();
 };
 

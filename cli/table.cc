@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <patchgrip/cli/csv_number.h>
+#include <patchgrip/cli/interrupt.h>
 
 namespace patchgrip::cli {
 
@@ -12,6 +13,7 @@ std::string to_csv(const Table& table, const std::vector<std::string>& head) {
   for (const std::string& column : table.columns) text += column + ",";
   text.back() = '\n';
   for (const auto& row : table.rows) {
+    InterruptGuard::check();
     for (const double value : row) {
       if (!std::isnan(value)) append_number(text, value);
       text += ',';

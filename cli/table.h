@@ -16,7 +16,7 @@ struct Table {
   std::vector<std::vector<double>> rows;  // each as long as `columns`
 };
 
-// `head` are comment lines, without "# ".
+// `head` are comment lines, without "# ". Throws Interrupted.
 std::string to_csv(const Table& table, const std::vector<std::string>& head);
 
 }  // namespace patchgrip::cli

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <patchgrip/cli/friction_row.h>
+#include <patchgrip/cli/interrupt.h>
 
 namespace patchgrip::cli {
 
@@ -13,6 +14,7 @@ LimitMesh mesh_of(const Contact& contact, const contact::Estimate& resistance, d
   const double R = resistance.value;
   LimitMesh mesh{{}, meridians, parallels, length, patch.moments()};
   const auto add = [&](double along, double across, double spin) {
+    InterruptGuard::check();
     const double w = spin / length;
     // The velocity of the frame's origin; that of the centroid is (along, across).
     const friction::Twist v{along + w * mesh.moments.y, across - w * mesh.moments.x, w};

@@ -62,6 +62,7 @@ struct LimitMesh {
   friction::PressureMoments moments;  // of the pressure
 };
 
+// Throws Interrupted.
 LimitMesh mesh_of(const Contact& contact, const contact::Estimate& resistance, double length, int meridians,
                   int parallels);
 

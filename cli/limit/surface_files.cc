@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <patchgrip/cli/csv_number.h>
+#include <patchgrip/cli/interrupt.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t longest_title = 255;  // of a legacy VTK file
 
 void append_row(std::string& text, std::initializer_list<double> values) {
+  InterruptGuard::check();
   for (const double value : values) {
     append_number(text, value);
     text += ' ';
@@ -41,6 +43,7 @@ std::string to_vtk(const LimitMesh& mesh, std::string_view title) {
   const int cells = mesh.parallels * mesh.meridians;
   text += fmt::format("POLYGONS {} {}\n", cells, 5 * cells - caps);
   for (int i = 0; i < mesh.parallels; ++i) {
+    InterruptGuard::check();
     for (int j = 0; j < mesh.meridians; ++j) {
       const LimitMesh::Cell cell = mesh.cell(i, j);
       const bool triangle = cell[3] == cell[0];
@@ -69,6 +72,7 @@ Table surface_rows(const LimitMesh& mesh, bool per_friction_force) {
               {}};
   table.rows.reserve(mesh.points.size());
   for (const LimitPoint& p : mesh.points) {
+    InterruptGuard::check();
     const auto& [value, force_error, moment_error] = p.wrench;
     const friction::Twist& v = p.slip;
     table.rows.push_back({value.fx, value.fy, value.m, force_error, moment_error, pole_coordinate(-v.vy, v.w),

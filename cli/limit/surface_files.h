@@ -7,6 +7,8 @@
 // CSV   one row a point, numbers with 17 significant digits; the pole of a translation is infinite, as in `tabulate`.
 //
 // Where friction is not given, forces are per mu F_N.
+//
+// Throws   Interrupted
 #pragma once
 
 #include <string>

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/limit/picture_axes.h>
 #include <patchgrip/cli/limit/svg.h>
 
@@ -90,6 +91,7 @@ struct Picture {
     };
     std::vector<Edge> edges;
     for (int i = 0; i < mesh.parallels; ++i) {
+      InterruptGuard::check();
       for (int j = 0; j < mesh.meridians; ++j) {
         const LimitMesh::Cell cell = mesh.cell(i, j);
         std::array<Spot, 4> corners;

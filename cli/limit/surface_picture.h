@@ -23,7 +23,7 @@ struct PictureRequest {
   std::vector<LoadAnswer> loads;   // at most most_loads_drawn
 };
 
-// SVG, 120 mm by 110 mm.
+// SVG, 120 mm by 110 mm. Throws Interrupted.
 std::string picture_of(const LimitMesh& mesh, const PictureRequest& request);
 
 }  // namespace patchgrip::cli
