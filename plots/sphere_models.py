@@ -36,7 +36,7 @@ def main():
     figure.get_layout_engine().set(rect=(0, 0.1, 1, 0.9))
     figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=3)
     panels[0].set_xlim(1e2, 5e9)
-    panels[0].set_ylim(1e-18, 3)
+    panels[0].set_ylim(1e-18, 30)
     style.save(figure, options.output)
 
 
