@@ -35,6 +35,8 @@ void write_csv(std::ostream& out, std::span<const Measurement> measurements) {
              "# ns: fastest of several repetitions, per evaluation; errors: the worst over `judged` poles against 50 "
              "digits\n");
   fmt::print(out,
+             "# error_wrench: of (force, moment / a_K) as one vector; with --patches M_0 / (mu F_N) in place of a_K\n");
+  fmt::print(out,
              "method,parameter,patch,mix,ns,judged,error_force,error_moment,error_force_of_scale,error_moment_of_scale,"
              "error_wrench\n");
   for (const auto& [label, error, judged, ns] : measurements) {

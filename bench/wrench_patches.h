@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <boost/math/special_functions/beta.hpp>
+
 #include <patchgrip/bench/zone.h>
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
@@ -83,7 +85,7 @@ void for_every_round_patch(const Visit& visit) {
   power_law("power_disc", friction::PowerDisc::of_radius(a, 0.3), 0.3);
 
   constexpr double alpha = 1.8;
-  const double top = alpha / (2 * std::beta(2 / alpha, 1 + 1 / alpha));
+  const double top = alpha / (2 * boost::math::beta(2 / alpha, 1 + 1 / alpha));
   const auto xydas_kao = [=](double square) { return top * std::pow(1 - std::pow(square, alpha / 2), 1 / alpha); };
   visit("xydas_kao_disc", friction::XydasKaoDisc::of_radius(a, alpha), ellipse_zone(a, a, xydas_kao),
         round_gradient(friction::StackReference<friction::Real50>(alpha), a), few);
