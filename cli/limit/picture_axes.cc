@@ -77,7 +77,8 @@ void draw_edge(Svg& svg, const View& view, const Axis& axis, std::size_t k, cons
     const std::string number = fmt::format("{:.6g}", shown);
     widest = std::max(widest, static_cast<double>(number.size()));
     svg.line(std::array{at, beside(at, tick_length)}, outline);
-    svg.text(lowered(beside(at, number_distance - (anchor == Anchor::middle ? 0 : 1.2))), number, number_size, anchor);
+    svg.number(lowered(beside(at, number_distance - (anchor == Anchor::middle ? 0 : 1.2))), number, number_size,
+               anchor);
   }
   SpacePoint middle = from;
   middle[k] = 0.5 * (axis.ticks.low + axis.ticks.high) * axis.unit;

@@ -114,7 +114,8 @@ struct Picture {
     for (const Edge& edge : edges) svg.line(std::array{edge.from, edge.to}, net);
   }
 
-  void draw_load(const LoadAnswer& load, std::size_t number) {
+  // Returns where the mark is.
+  Spot draw_load(const LoadAnswer& load) {
     constexpr double radius = 0.9;
     const Spot passed = view(in_space(scaled(load.load, load.margin.value)));
     const bool seen = faces_viewer(load.gauge.twist);
@@ -127,7 +128,15 @@ struct Picture {
     } else {
       svg.circle(passed, radius, white, {seen ? black : hidden, 0.3, !seen});
     }
-    svg.text({marked.x + 1.4, marked.y - 1}, fmt::format("{}", number), 8);
+    return marked;
+  }
+
+  void draw_loads(const std::vector<LoadAnswer>& loads) {
+    std::vector<Spot> marks;
+    for (const LoadAnswer& load : loads) marks.push_back(draw_load(load));
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      svg.rimmed_number({marks[i].x + 1.4, marks[i].y - 1}, fmt::format("{}", i + 1), 8);
+    }
   }
 
   void draw_legend(bool loads) {
@@ -205,7 +214,7 @@ std::string picture_of(const LimitMesh& mesh, const PictureRequest& request) {
   if (!request.title.empty()) picture.svg.text({4, 6}, request.title, 9);
   draw_box(picture.svg, picture.view, axes);
   picture.draw_cells();
-  for (std::size_t i = 0; i < loads.size(); ++i) picture.draw_load(loads[i], i + 1);
+  picture.draw_loads(loads);
   picture.draw_legend(!loads.empty());
   return std::move(picture.svg).finished();
 }

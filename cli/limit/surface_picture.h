@@ -2,7 +2,7 @@
 //
 // The surface is convex, so what faces the viewer hides everything else. The moment is drawn as m / L. A load that
 // slips is joined to the point of the surface that it passed; one that holds is drawn as the point in which its ray
-// would leave.
+// would leave. Loads bear their numbers, from 1; one that would touch another number is left out.
 #pragma once
 
 #include <optional>

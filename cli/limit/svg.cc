@@ -102,10 +102,10 @@ void Svg::circle(const Spot& centre, double radius, const Colour& fill, const St
                        radius, fill.hex(), attributes_of(edge));
 }
 
-void Svg::set(const Spot& at, std::string_view spans, double size, Anchor anchor) {
+void Svg::set(const Spot& at, std::string_view spans, double size, Anchor anchor, std::string_view rim) {
   constexpr std::array<std::string_view, 3> anchors{"start", "middle", "end"};
-  text_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", at.x,
-                       at.y, size * mm_per_point, anchors[static_cast<std::size_t>(anchor)], spans);
+  text_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" text-anchor=\"{}\"{}>{}</text>\n", at.x,
+                       at.y, size * mm_per_point, anchors[static_cast<std::size_t>(anchor)], rim, spans);
 }
 
 void Svg::text(const Spot& at, std::string_view words, double size, Anchor anchor) {
@@ -114,6 +114,31 @@ void Svg::text(const Spot& at, std::string_view words, double size, Anchor ancho
 
 void Svg::label(const Spot& at, std::string_view words, double size, Anchor anchor) {
   set(at, spans_of(words), size, anchor);
+}
+
+bool Svg::takes(const Spot& at, std::string_view digits, double size, Anchor anchor) {
+  constexpr double digit_width = 0.64, digit_height = 0.73;  // [em], of DejaVu Sans
+  constexpr double gap = 0.3;                                // [mm]
+  const double em = size * mm_per_point;
+  const double width = digit_width * em * static_cast<double>(digits.size());
+  const double left = at.x - (anchor == Anchor::start ? 0 : anchor == Anchor::middle ? width / 2 : width);
+  const Area area{{left, at.y - digit_height * em}, {left + width, at.y}};
+  const bool touches = std::ranges::any_of(numbers_, [&](const Area& other) {
+    return area.upper_left.x < other.lower_right.x + gap && other.upper_left.x < area.lower_right.x + gap &&
+           area.upper_left.y < other.lower_right.y + gap && other.upper_left.y < area.lower_right.y + gap;
+  });
+  if (!touches) numbers_.push_back(area);
+  return !touches;
+}
+
+void Svg::number(const Spot& at, std::string_view digits, double size, Anchor anchor) {
+  if (takes(at, digits, size, anchor)) set(at, digits, size, anchor);
+}
+
+void Svg::rimmed_number(const Spot& at, std::string_view digits, double size, Anchor anchor) {
+  if (!takes(at, digits, size, anchor)) return;
+  set(at, digits, size, anchor, " stroke=\"#FFFFFF\" stroke-width=\"0.6\" stroke-linejoin=\"round\"");
+  set(at, digits, size, anchor);
 }
 
 std::string Svg::finished() && {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace patchgrip::cli {
 
@@ -43,13 +44,22 @@ class Svg {
   // Size in points.
   void text(const Spot& at, std::string_view words, double size, Anchor anchor = Anchor::start);
   void label(const Spot& at, std::string_view words, double size, Anchor anchor = Anchor::start);
+  // Left out where it would touch a number that is there.
+  void number(const Spot& at, std::string_view digits, double size, Anchor anchor = Anchor::start);
+  // The same with a white rim, to be read on any ground.
+  void rimmed_number(const Spot& at, std::string_view digits, double size, Anchor anchor = Anchor::start);
 
   std::string finished() &&;
 
  private:
   void points(std::span<const Spot> spots);
-  void set(const Spot& at, std::string_view spans, double size, Anchor anchor);
+  void set(const Spot& at, std::string_view spans, double size, Anchor anchor, std::string_view rim = "");
+  bool takes(const Spot& at, std::string_view digits, double size, Anchor anchor);
 
+  struct Area {
+    Spot upper_left, lower_right;
+  };
+  std::vector<Area> numbers_;
   std::string text_;
 };
 

@@ -253,6 +253,36 @@ TEST(SurfacePicture, MarksLoadsThatHoldAndLoadsThatSlip) {
   EXPECT_THAT(svg, HasSubstr("a load that slips"));
 }
 
+// Of loads side by side, as many as there is room for; the axes keep theirs.
+TEST(SurfacePicture, NumbersDoNotTouch) {
+  const LimitScene scene = test::limit_scene(
+      l_shape + "[[loads]]\nforce = { size = 1, angle = { from = -3, to = -2, count = 60 } }\nmoment = 0.004\n");
+  const std::string svg = picture_of(meshed(l_shape).mesh, request_of(scene));
+  const std::regex number(
+      R"re(<text x="(-?[\d.]+)" y="(-?[\d.]+)" font-size="2.82" text-anchor="(\w+)">(-?[\d.]+)</text>)re");
+  struct Area {
+    std::string digits;
+    double left, right, top, bottom;
+  };
+  std::vector<Area> areas;
+  for (auto it = std::sregex_iterator(svg.begin(), svg.end(), number); it != std::sregex_iterator(); ++it) {
+    const double x = std::stod((*it)[1]), y = std::stod((*it)[2]);
+    const double width = 1.8 * static_cast<double>((*it)[4].length());
+    const double left = (*it)[3] == "start" ? x : (*it)[3] == "end" ? x - width : x - width / 2;
+    if (y < 95) areas.push_back({(*it)[4], left, left + width, y - 2, y});  // above the scale of colours
+  }
+  EXPECT_GT(areas.size(), 15U);
+  EXPECT_LT(areas.size(), 60U);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Area &a = areas[i], &b = areas[j];
+      EXPECT_TRUE(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top)
+          << a.digits << " on " << b.digits;
+    }
+  }
+  EXPECT_THAT(svg, HasSubstr(">1</text>"));
+}
+
 TEST(SurfacePicture, EverythingStaysOnThePage) {
   for (const char* view : {"azimuth = 0\nelevation = 0", "azimuth = 2.5\nelevation = 1.5707963267948966",
                            "azimuth = -2\nelevation = -0.7"}) {
