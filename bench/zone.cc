@@ -40,7 +40,7 @@ Point in_direction(const Point& from, double distance, double angle) {
   return {from.x + distance * std::cos(angle), from.y + distance * std::sin(angle)};
 }
 
-// visit(column, row, x, y) for the midpoints of the cells.
+// visit(x, y) for the midpoints of n x n cells.
 template <class Visit>
 void for_every_midpoint(const Box& box, std::size_t n, const Visit& visit) {
   const double dx = (box.x1 - box.x0) / static_cast<double>(n), dy = (box.y1 - box.y0) / static_cast<double>(n);
