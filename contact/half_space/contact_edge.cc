@@ -15,7 +15,7 @@
 namespace patchgrip::contact {
 namespace {
 
-constexpr int skipped_layers = 2;
+constexpr int skipped_layers = 2, narrow_skipped_layers = 1;
 constexpr int least_radius = 4, most_radius = 7;
 constexpr int least_cells = 9;
 constexpr double least_pivot = 1e-10;
@@ -82,12 +82,12 @@ PATCHGRIP_VECTOR_CLONES void add_samples(std::size_t count, const Sample* sample
   normal = sum;
 }
 
-// The fitted phi, edge_offset farther out; false if the normal equations are nearly singular.
+// The fitted phi, edge_offset farther out, and with the mean of what lies between a quadratic and its linear
+// interpolation on the triangles, a twelfth of its Laplacian; false if the normal equations are nearly singular.
 bool solve(Normal normal, double& phi) {
   std::array<double, products>& matrix = normal.matrix;
   std::array<double, 8>& right = normal.right;
   const auto at = [&](std::size_t r, std::size_t s) -> double& { return matrix[r * (r + 1) / 2 + s]; };
-  // From the last term to the first: only value and slope are needed.
   for (std::size_t k = terms; k-- > 0;) {
     if (at(k, k) < least_pivot) return false;
     for (std::size_t r = 0; r < k; ++r) {
@@ -96,10 +96,18 @@ bool solve(Normal normal, double& phi) {
       right[r] -= factor * right[k];
     }
   }
-  const double value = right[0] / at(0, 0);
-  const double along = (right[1] - at(1, 0) * value) / at(1, 1);
-  const double across = (right[2] - at(2, 0) * value - at(2, 1) * along) / at(2, 2);
-  phi = value - edge_offset * std::hypot(along, across);
+  std::array<double, terms> of_term{};
+  for (std::size_t k = 0; k < terms; ++k) {
+    double rest = right[k];
+    for (std::size_t s = 0; s < k; ++s) rest -= at(k, s) * of_term[s];
+    of_term[k] = rest / at(k, k);
+  }
+  const auto [value, along, across, along2, mixed, across2] = of_term;
+  const double slope2 = along * along + across * across;
+  const double bend =
+      along2 * across * across - 2 * mixed * along * across + across2 * along * along;  // -slope^3 kappa
+  const double rounded = slope2 > 0 ? edge_curvature_offset * bend / slope2 : 0;
+  phi = value - edge_offset * std::sqrt(slope2) + rounded - (along2 + across2) / 12;
   return true;
 }
 
@@ -138,9 +146,11 @@ class LevelSet {
     for (std::size_t k = 0; k < result.size(); ++k) {
       const Zone& zone = zones_[k];
       const int edge_cells = zone.edge_cells, unfitted = std::min<int>(zone.unfitted, edge_cells);
+      const int narrow = std::min<int>(zone.narrow, edge_cells - unfitted), wide = edge_cells - unfitted - narrow;
       result[k].resolved = 2 * unfitted <= edge_cells;
-      const double edge = result[k].resolved ? edge_error * (edge_cells - unfitted) + counted_edge_error * unfitted
-                                             : counted_edge_error * edge_cells;
+      const double edge = result[k].resolved
+                              ? edge_error * wide + narrow_edge_error * narrow + counted_edge_error * unfitted
+                              : counted_edge_error * edge_cells;
       constexpr double per_edge_cell = std::numbers::pi / 4;  // a circle of r cells has 8 r cells in its outer layer
       result[k].area =
           grid_.cell_area() * (result[k].resolved ? static_cast<double>(zone.area) / area_units : zone.cells);
@@ -173,8 +183,10 @@ class LevelSet {
         if (layer == 1) ++zone.edge_cells;
         if (second && !is_crossed(i, j)) return;
         double value = 0;
-        if (fit(i, j, value) && !(layer == -2 && value > 0)) {
+        const bool is_wide = fit(i, j, skipped_layers, value);
+        if ((is_wide || fit(i, j, narrow_skipped_layers, value)) && !(layer == -2 && value > 0)) {
           phi_[cell] = value;
+          if (!is_wide) ++zone.narrow;
         } else {
           ++zone.unfitted;
         }
@@ -182,7 +194,7 @@ class LevelSet {
     });
   }
 
-  bool fit(int i, int j, double& value) const {
+  bool fit(int i, int j, int skipped, double& value) const {
     static const Disc disc;
     const int zone = map_.zone[grid_.index(i, j)];
     std::array<Sample, most_offsets> samples;
@@ -194,7 +206,7 @@ class LevelSet {
     for (int radius = least_radius; radius <= most_radius; ++radius) {
       std::size_t count = 0;
       const auto add = [&](const Offset& offset, std::size_t cell) {
-        if (map_.layer[cell] > skipped_layers && map_.zone[cell] == zone) samples[count++] = {&offset, square(cell)};
+        if (map_.layer[cell] > skipped && map_.zone[cell] == zone) samples[count++] = {&offset, square(cell)};
       };
       for (; next < disc.counts[static_cast<std::size_t>(radius)]; ++next) {
         const Offset& offset = disc.offsets[next];
@@ -278,7 +290,7 @@ class LevelSet {
   double per_peak_ = 0;
   struct Zone {
     int cells = 0;
-    std::atomic<int> edge_cells = 0, unfitted = 0;
+    std::atomic<int> edge_cells = 0, narrow = 0, unfitted = 0;
     std::atomic<std::int64_t> area = 0;  // in 1 / area_units of a cell
   };
   std::vector<Zone> zones_;

@@ -22,9 +22,9 @@ struct HertzRow {
   int cells;
   double force, approach, peak, area;
 };
-const std::vector<HertzRow> hertz_rows{{32, 4.5e-4, 3e-4, 1.5e-3, 2e-3},
-                                       {64, 7e-5, 5e-5, 3e-4, 4e-4},
-                                       {128, 2.6e-5, 1.8e-5, 8e-5, 1e-4},
+const std::vector<HertzRow> hertz_rows{{32, 4.5e-4, 3e-4, 1.5e-3, 6e-4},
+                                       {64, 7e-5, 5e-5, 3e-4, 2.5e-4},
+                                       {128, 2.6e-5, 1.8e-5, 8e-5, 3e-5},
                                        {256, 5.5e-6, 3.5e-6, 2.5e-5, 4e-5}};
 
 TEST(PressHalfSpace, HertzParaboloidByApproach) {
@@ -185,7 +185,7 @@ TEST(PressHalfSpace, EllipseOfTenToOne) {
     const auto result = press(Grid::square(256, 2.5), ellipse.gap, Press::by_approach(ellipse.approach));
     EXPECT_LE(result.iterations, 60);
     EXPECT_LE(relative(result.force.value, ellipse.force), 1e-3) << angle;
-    EXPECT_LE(relative(result.area.value, ellipse.area), 3e-3) << angle;
+    EXPECT_LE(relative(result.area.value, ellipse.area), 1e-3) << angle;
     EXPECT_GE(result.area.error, std::abs(result.area.value - ellipse.area) / 3) << angle;
   }
 }
@@ -196,7 +196,7 @@ TEST(PressHalfSpace, EllipsesTurned) {
       const HertzEllipse ellipse = hertz_ellipse(ratio, angle);
       const auto result = press(Grid::square(128, 2.5), ellipse.gap, Press::by_force(ellipse.force));
       EXPECT_LE(relative(result.approach.value, ellipse.approach), 1e-4);
-      EXPECT_LE(relative(result.area.value, ellipse.area), 8e-4);
+      EXPECT_LE(relative(result.area.value, ellipse.area), 3e-4);
       EXPECT_GE(result.approach.error, std::abs(result.approach.value - ellipse.approach) / 3);
       EXPECT_GE(result.area.error, std::abs(result.area.value - ellipse.area) / 3) << ratio << ' ' << angle;
     }
