@@ -260,7 +260,7 @@ TEST(PressHalfSpace, RandomShapesConverge) {
   std::mt19937_64 engine(20061203);
   PressSettings settings = with_tolerance(1e-8);
   // Of the shapes drawn about two in three touch the border: those are refused, and others drawn for them.
-  const int count = patchgrip::testing::cases(100);
+  const int count = patchgrip::testing::cases(400);
   const Grid grid = Grid::square(64, 2.5);
   for (int solved = 0; solved < count;) {
     const auto gap = sample(grid, random_shape(engine));
