@@ -139,7 +139,7 @@ struct Picture {
     }
   }
 
-  void draw_legend(bool loads) {
+  void draw_legend(const std::vector<LoadAnswer>& loads) {
     constexpr double left = 20, top = height - 11, length = 80, thickness = 3;
     constexpr int steps = 80;
     for (int i = 0; i < steps; ++i) {
@@ -155,11 +155,15 @@ struct Picture {
       svg.text({left + length * at, top + thickness + 3.6}, words, 8, Anchor::middle);
     }
     svg.text({left, top - 1.4}, "distance of the pole from the centroid / radius of gyration", 8);
-    if (!loads) return;
-    svg.circle({width - 38, 9}, 0.9, white, {black, 0.3});
-    svg.text({width - 36, 10}, "a load that holds", 8);
-    svg.circle({width - 38, 13.5}, 0.9, vermilion, {white, 0.15});
-    svg.text({width - 36, 14.5}, "a load that slips", 8);
+    double y = 9;
+    const auto entry = [&](std::string_view words, const Colour& fill, const Stroke& edge) {
+      svg.circle({width - 38, y}, 0.9, fill, edge);
+      svg.text({width - 36, y + 1}, words, 8);
+      y += 4.5;
+    };
+    const auto slips = [](const LoadAnswer& load) { return load.verdict == Verdict::slips; };
+    if (!std::ranges::all_of(loads, slips)) entry("a load that holds", white, {black, 0.3});
+    if (std::ranges::any_of(loads, slips)) entry("a load that slips", vermilion, {white, 0.15});
   }
 };
 
@@ -215,7 +219,7 @@ std::string picture_of(const LimitMesh& mesh, const PictureRequest& request) {
   draw_box(picture.svg, picture.view, axes);
   picture.draw_cells();
   picture.draw_loads(loads);
-  picture.draw_legend(!loads.empty());
+  picture.draw_legend(loads);
   return std::move(picture.svg).finished();
 }
 

@@ -281,6 +281,8 @@ TEST(SurfacePicture, NumbersDoNotTouch) {
     }
   }
   EXPECT_THAT(svg, HasSubstr(">1</text>"));
+  EXPECT_THAT(svg, HasSubstr("a load that holds"));
+  EXPECT_THAT(svg, Not(HasSubstr("a load that slips")));
 }
 
 TEST(SurfacePicture, EverythingStaysOnThePage) {
