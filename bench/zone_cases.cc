@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <concepts>
-#include <type_traits>
 
 #include <patchgrip/bench/reference_truth.h>
 #include <patchgrip/bench/wrench_patches.h>
