@@ -124,8 +124,8 @@ Estimate Springs::force() const {
   const double value = 2 * distance_ * (simpson(q) + edge.share);
   if (edge.touching < 6) return {value, value};
   // A kink in a cell shows in one second difference, smooth curvature in all of them. Four times what they say: several
-  // kinks, and layers thinner than a cell. A kink between the last spring and the edge shows in none: a quarter of
-  // that.
+  // kinks, and layers thinner than a cell. A layer between the last spring and the edge shows in none, and brings the
+  // edge nearer than the parabola says: half of what lies beyond, as where q falls twice as steeply.
   const auto bend = [&](std::size_t k) { return q[k - 1] - 2 * q[k] + q[k + 1]; };
   const std::size_t last = edge.touching - 2;
   double error = 0;
@@ -138,7 +138,7 @@ Estimate Springs::force() const {
   const double fall = q[last] - q[last + 1];
   const double straight = fall > 0 ? std::min(1., q[last + 1] / fall) * q[last + 1] / 2 : q[last + 1];
   error += std::fabs(edge.share - straight) + std::fabs(bend(last) - bend(last - 1));
-  return {value, 2 * distance_ * (4 * error + edge.share / 4) + 64 * 0x1p-53 * value};
+  return {value, 2 * distance_ * (4 * error + edge.share / 2) + 64 * 0x1p-53 * value};
 }
 
 double Springs::radius() const {

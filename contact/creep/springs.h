@@ -11,8 +11,8 @@
 //          (`stress_falls`, which makes p >= 0). M without a bare dashpot.
 // Units    t [s], delta, x, a, r [m], F [N], p [Pa].
 // Cost     a step: springs times modes, whatever came before; memory: one number per spring and mode, and four.
-// Error    of F at a given approach: the estimate, four times what the second differences of q say and a quarter of
-//          what lies beyond the last spring, where a kink would not show: of order 1/springs^2, mostly two or three
+// Error    of F at a given approach: the estimate, four times what the second differences of q say and half of what
+//          lies beyond the last spring, where a thin layer would not show: of order 1/springs^2, mostly two or three
 //          decades too careful. Of the steps under a given force: spring_press.h; tests/contact/springs_test.cc.
 // Fails    fewer than three springs in touch: the estimate is the force itself. Where a ring touches beside the circle
 //          or instead of it (not `is_one_circle`), force and error are those of the circle alone.
