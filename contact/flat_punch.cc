@@ -33,8 +33,10 @@ double FlatPunch::pressure(double r) const {
 double FlatPunch::displacement(double r) const {
   r = std::fabs(r);
   if (r <= radius) return approach;
-  const double root = std::sqrt(r - radius) * std::sqrt(r + radius);
-  return 2 * approach / std::numbers::pi * std::atan(radius / root);
+  // Of the arcsin near the rim and of the arctan far away the condition number is larger.
+  const double u = radius / r;
+  const double angle = 4 * u * u > 3 ? std::atan2(radius, std::sqrt(r - radius) * std::sqrt(r + radius)) : std::asin(u);
+  return 2 * approach / std::numbers::pi * angle;
 }
 
 }  // namespace patchgrip::contact

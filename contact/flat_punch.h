@@ -7,8 +7,8 @@
 //
 // Domain   a, E* > 0, F or delta > 0.
 // Units    a, r, delta, u_z [m], F [N], E*, p [Pa], stiffness [N/m], energy [J].
-// Error    units of 2^-53, relative: 2 of F, delta and stiffness, 5 of p and of u_z, 4 of the energy;
-//          tests/contact/flat_punch_test.cc.
+// Error    units of 2^-53, relative: 2 of F, delta and stiffness, 4 of the energy, 8 of p and of u_z: 4 of the root and
+//          4 of the factor of p, 3 of the angle and 5 of the factor of u_z; tests/contact/flat_punch_test.cc.
 // Fails    p is +infinity at the edge r = a, where no material follows the theory.
 // Throws   std::invalid_argument, naming the parameter, outside the domain or where a result would overflow or
 //          underflow.

@@ -27,6 +27,7 @@ using patchgrip::testing::cases;
 using patchgrip::testing::contact_rows;
 using patchgrip::testing::Exact;
 using patchgrip::testing::log_uniform;
+using patchgrip::testing::uniform;
 using patchgrip::testing::units_of_rounding;
 
 auto refused(const std::string& message) { return ::testing::ThrowsMessage<std::invalid_argument>(message); }
@@ -64,7 +65,7 @@ TEST(FlatPunch, StatedErrorsHold) {
       const Exact p = Exact(F) / (2 * pi * a * sqrt((Exact(a) - r) * (Exact(a) + r)));
       pressure = std::max(pressure, units_of_rounding(punch.pressure(r), p));
     }
-    const double out = a * (1 + log_uniform(engine, 1e-15, 1e9));
+    const double out = a * (1 + (i % 2 == 0 ? log_uniform(engine, 1e-15, 1e9) : uniform(engine, 0, 1)));
     if (out > a) {
       displacement =
           std::max(displacement, units_of_rounding(punch.displacement(out), 2 * delta / pi * asin(Exact(a) / out)));
@@ -81,8 +82,8 @@ TEST(FlatPunch, StatedErrorsHold) {
   }
   EXPECT_LE(approach, 2);
   EXPECT_LE(force, 2);
-  EXPECT_LE(pressure, 5);
-  EXPECT_LE(displacement, 5);
+  EXPECT_LE(pressure, 8);
+  EXPECT_LE(displacement, 8);
   EXPECT_LE(energy, 4);
 }
 
