@@ -8,6 +8,11 @@
 //     int_M^a x^2 dx / sqrt((x^2 - b^2)(x^2 - r^2)) = a sin w + (m^2 / 3M) sin^3 w R_D(cos^2 w, c, 1)
 //     c = 1 - (m/M)^2 sin^2 w                                     (Carlson's forms; DLMF 19.25, all terms positive)
 //
+// Far away arcsin(x/r) of u_z = (2/pi) int_b^a arcsin(x/r) g'(x) dx is expanded in x/r. Every moment of g' then follows
+// from kappa_n = a^-n int_b^a x^n / sqrt(x^2 - b^2) dx, upwards from kappa_1 = S/a with positive terms only:
+//
+//     n kappa_n = S/a + (n - 1) (b/a)^2 kappa_(n-2)
+//
 // Units    lengths [m]; the integrals [1/m] and [m].
 // Error    <= 8 units of 2^-53, relative; tests/contact/flat_end_paraboloid_test.cc.
 // Fails    both integrals are infinite at r = b, logarithmically; 0 for r >= a.
@@ -20,8 +25,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
-
-#include <patchgrip/contact/endpoint_quadrature.h>
 
 namespace patchgrip::contact {
 
@@ -48,6 +51,15 @@ struct BasicFlatEndCircle {
     if (by_radius || r < end) return r < radius ? Real(sqrt(radius - r) * sqrt(radius + r)) : Real(0);
     const Real beyond = sqrt(r - end) * sqrt(r + end);
     return beyond < reach ? Real(sqrt(reach - beyond) * sqrt(reach + beyond)) : Real(0);
+  }
+
+  // sqrt(r^2 - a^2), 0 for r < a
+  Real tangent(const Real& r) const {
+    using std::sqrt;
+    if (by_radius) return r > radius ? Real(sqrt(r - radius) * sqrt(r + radius)) : Real(0);
+    if (!(r > end)) return 0;
+    const Real beyond = sqrt(r - end) * sqrt(r + end);
+    return beyond > reach ? Real(sqrt(beyond - reach) * sqrt(beyond + reach)) : Real(0);
   }
 
   Real end;        // b [m]
@@ -81,18 +93,23 @@ FlatEndIntegrals<Real> flat_end_integrals(const Real& r, const BasicFlatEndCircl
           a.radius * sin + larger * ratio * ratio * sin * sin * sin * ellint_rd(cos2, c, Real(1)) / 3};
 }
 
-// (2/pi) int_b^a arcsin(x/r) dg(x) for r > a; slope is dg / dS at x, given x and its own reach.
-template <class Real, class Slope>
-Real flat_end_displacement(const Real& r, const BasicFlatEndCircle<Real>& a, const Slope& slope) {
-  using std::atan2;
-  using std::sqrt;
-  const Real beyond = r - a.radius;
-  const auto integrand = [&](const Real& y, const Real& left) -> Real {
-    const Real x = BasicFlatEndCircle<Real>::of_reach(a.end, y).radius;
-    const Real away = beyond + left * ((a.reach + y) / (a.radius + x));  // r - x
-    return slope(x, y) * atan2(x, Real(sqrt(away) * sqrt(r + x)));
-  };
-  return 2 / boost::math::constants::pi<Real>() * integrate_to_both_ends(integrand, Real(0), a.reach);
+// sum_k c_k (a/r)^n m_n / n, n = 2k + 1, c_k = (1/2)_k / k!, of moment(n, kappa) = m_n.
+template <class Real, class Moment>
+Real far_flat_end_displacement(const Real& r, const BasicFlatEndCircle<Real>& a, const Moment& moment) {
+  const Real u = a.radius / r;
+  const Real beta = a.end / a.radius;
+  const Real sigma = a.reach / a.radius;
+  const Real first = u * moment(1, sigma);
+  Real rest = 0;  // less than an eighth of the first, so its many roundings do not count
+  Real c = u;     // c_k u^n
+  Real kappa = sigma;
+  for (int n = 1;; n += 2) {
+    c *= u * u * n / (n + 1);
+    kappa = (sigma + (n + 1) * beta * beta * kappa) / (n + 2);
+    const Real term = c / (n + 2) * moment(n + 2, kappa);
+    rest += term;
+    if (!(term > std::numeric_limits<Real>::epsilon() / 16 * first)) return first + rest;
+  }
 }
 
 }  // namespace patchgrip::contact

@@ -3,14 +3,16 @@
 //     delta = a S / R,   F/E* = 2 S (2 a^2 + b^2) / (3 R),   S = sqrt(a^2 - b^2)
 //     g' = (2 x^2 - b^2) / (R sqrt(x^2 - b^2))
 //     p/E* = (1/pi) int_max(r,b)^a g'(x) / sqrt(x^2 - r^2) dx                                            (Ejike 1981)
-//     u_z  = (2/pi) int_b^a arcsin(x/r) g'(x) dx,   r > a
+//     u_z  = (2/pi) int_b^a arcsin(x/r) g'(x) dx
+//          = (2/(pi R)) [a S arcsin(a/r) + (S Z - (r^2 - b^2) arctan(S/Z)) / 2],   Z = sqrt(r^2 - a^2),   r > a
 //
-// p is closed in elliptic integrals (flat_end_circle.h); u_z outside is integrated numerically, to rounding.
+// p is closed in elliptic integrals; u_z beyond r = sqrt(2) a is a series of positive terms (flat_end_circle.h).
 //
 // Domain   R, b > 0, a > b.
 // Units    R, b, r, a [m]; the rest as in axisymmetric.h.
-// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 10 of F, 32 of p, 96 of u_z, 8
-//          of the radius and of S; tests/contact/flat_end_paraboloid_test.cc.
+// Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 10 of F, 32 of p, 48 of u_z, 8
+//          of the radius and of S; tests/contact/flat_end_paraboloid_test.cc. Of u_z: its terms together are at most 4
+//          times their sum (just within r = sqrt(2) a), each is good to 11, and 4 are of the factor in front.
 // Fails    p(b), logarithmically, and g'(b) are +infinity.
 // Throws   std::invalid_argument outside the domain.
 #pragma once
@@ -76,8 +78,20 @@ class FlatEndParaboloid {
   }
   template <class Real>
   Real displacement(const Real& r, const BasicFlatEndCircle<Real>& a) const {
+    using std::atan2;
     if (r <= a.radius) return approach(a) - height(r);
-    return flat_end_displacement(r, a, [](const Real& x, const Real& y) -> Real { return x + y / x * y; }) / R_;
+    const Real scale = 2 / (boost::math::constants::pi<Real>() * R_);
+    if (2 * (a.radius / r) * (a.radius / r) <= 1) {
+      const Real beta = b_ / a.radius;
+      const Real sigma = a.reach / a.radius;
+      const auto moment = [&](int n, const Real& kappa) -> Real {
+        return (2 * sigma + n * beta * beta * kappa) / (n + 2);
+      };
+      return scale * a.radius * a.radius * far_flat_end_displacement(r, a, moment);
+    }
+    const Real Z = a.tangent(r);
+    return scale *
+           (a.radius * a.reach * atan2(a.radius, Z) + (a.reach * Z - (r - b_) * (r + b_) * atan2(a.reach, Z)) / 2);
   }
 
   FlatEndCircle circle(double a) const;
@@ -85,7 +99,7 @@ class FlatEndParaboloid {
   FlatEndCircle radius_of_force(double force) const;
 
   double max_radius() const noexcept { return std::numeric_limits<double>::infinity(); }
-  ProfileErrors errors() const noexcept { return {6, 10, 32, 96, 8}; }
+  ProfileErrors errors() const noexcept { return {6, 10, 32, 48, 8}; }
   double end_radius() const noexcept { return b_; }
   double curvature_radius() const noexcept { return R_; }
 

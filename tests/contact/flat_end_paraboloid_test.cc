@@ -13,6 +13,7 @@
 
 #include <patchgrip/contact/paraboloid.h>
 #include <patchgrip/tests/contact/contact_table.h>
+#include <patchgrip/tests/contact/displacement_integral.h>
 #include <patchgrip/tests/support/cases.h>
 #include <patchgrip/tests/support/exact.h>
 
@@ -63,7 +64,7 @@ TEST(FlatEndParaboloid, StatedErrorsHold) {
     const Exact p = profile.pressure(Exact(inside), exact);
     pressure = std::max(pressure, units_of_rounding(profile.pressure(inside, a), p) / e.pressure);
     const double outside = a * (1 + log_uniform(engine, 1e-15, 1e6));
-    if (i % 101 == 0 && outside > a) {
+    if (outside > a) {
       const Exact u = profile.displacement(Exact(outside), exact);
       displacement = std::max(displacement, units_of_rounding(profile.displacement(outside, a), u) / e.displacement);
     }
@@ -78,6 +79,38 @@ TEST(FlatEndParaboloid, StatedErrorsHold) {
   EXPECT_LE(force, 1);
   EXPECT_LE(pressure, 1);
   EXPECT_LE(displacement, 1);
+}
+
+TEST(FlatEndParaboloid, DisplacementIsItsIntegral) {
+  const double b = 0.7;
+  const auto profile = FlatEndParaboloid::of(b, 3);
+  const auto rate = [&](const Exact& y) -> Exact {
+    const auto circle = ExactCircle::of_reach(Exact(b), y);
+    return profile.approach_slope(circle) * y / circle.radius;
+  };
+  for (const double a : {1.2 * b, 3 * b}) {
+    for (const double r : {a * (1 + 1e-12), 1.3 * a, 2 * a}) {
+      const Exact integral = patchgrip::testing::displacement_integral(rate, r, a, b);
+      EXPECT_LE(abs(profile.displacement(Exact(r), Exact(a)) / integral - 1), 1e-30) << a << ' ' << r;
+    }
+  }
+}
+
+TEST(FlatEndParaboloid, DisplacementHoldsItsErrorNextToTheRimAndFarAway) {
+  const double b = 0.7;
+  const auto profile = FlatEndParaboloid::of(b, 3);
+  for (const double beyond : {1e-15, 1e-12, 1e-6, 0.01, 0.41421356, 0.41421357, 2., 1e3, 1e9, 1e12}) {
+    const double a = b * (1 + beyond);
+    for (const double r : patchgrip::testing::radii_around(a)) {
+      const Exact u = profile.displacement(Exact(r), Exact(a));
+      EXPECT_LE(units_of_rounding(profile.displacement(r, a), u), profile.errors().displacement) << a << ' ' << r;
+      const auto circle = FlatEndCircle::of_reach(b, b * beyond);
+      const auto exact = ExactCircle::of_reach(Exact(b), Exact(b * beyond));
+      if (r * (1 - 1e-15) < circle.radius) continue;
+      EXPECT_LE(units_of_rounding(profile.displacement(r, circle), profile.displacement(Exact(r), exact)),
+                profile.errors().displacement);
+    }
+  }
 }
 
 // The reach of a load in fifty digits: secant steps from the answer in double.
