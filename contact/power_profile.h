@@ -119,6 +119,7 @@ class PowerProfile {
   // rim's value scaled, the outer the series of 1 / sqrt(s^2 - rho^2) in rho / s.
   template <class Real>
   static Real lowest_shape(const Real& m, const Real& rho, const Real& rho2, const Real& w) {
+    using std::abs;
     using std::expm1;
     using std::log;
     using std::pow;
@@ -136,8 +137,10 @@ class PowerProfile {
     if (2 * rho2 >= 1) return rim(w);
     if (rho == 0) return m > 1 ? Real(1 / (m - 1)) : std::numeric_limits<Real>::infinity();
     const Real cut = boost::math::constants::root_two<Real>() * rho;
-    const Real scale = pow(cut, m - 1);
-    Real outer = m == 1 ? Real(-log(cut)) : Real(expm1((m - 1) * log(cut)) / (1 - m));
+    const Real scale = pow(cut, m) / cut;  // a small m - 1 is rounded, and its power shows that
+    // (cut^(m-1) - 1) / (1 - m); expm1 of a large number is as many units off as the number says.
+    const Real power_log = (m - 1) * log(cut);
+    Real outer = m == 1 ? Real(-log(cut)) : Real((abs(power_log) < 1 ? Real(expm1(power_log)) : scale - 1) / (1 - m));
     Real c = 1;
     Real power = 1;  // rho^(2k)
     Real half = 1;   // 2^(-k)

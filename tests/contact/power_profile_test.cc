@@ -93,13 +93,14 @@ TEST(PowerProfile, StatedErrorsHold) {
     approach = std::max(approach, units_of_rounding(profile.approach(a), delta) / e.approach);
     force = std::max(force, units_of_rounding(profile.force(a), load) / e.force);
 
-    const double inside = i % 2 == 0 ? a * uniform(engine, 0, 1) : a * (1 - log_uniform(engine, 1e-15, 1));
-    if (i % 5 == 0 && inside > 0) {
+    double inside = i % 2 == 0 ? a * uniform(engine, 0, 1) : a * (1 - log_uniform(engine, 1e-15, 1));
+    if (i % 3 == 0) inside = a * log_uniform(engine, 1e-200, 1);
+    if (inside > 0) {
       const Exact p = profile.pressure(Exact(inside), exact);
       pressure = std::max(pressure, units_of_rounding(profile.pressure(inside, a), p) / e.pressure);
     }
-    const double outside = a * (1 + log_uniform(engine, 1e-15, 1e6));
-    if (i % 7 == 0 && outside > a) {
+    const double outside = a * (1 + (i % 2 == 0 ? log_uniform(engine, 1e-15, 1e6) : uniform(engine, 0, 1)));
+    if (i % 3 == 0 && outside > a) {
       const Exact u = profile.displacement(Exact(outside), exact);
       displacement = std::max(displacement, units_of_rounding(profile.displacement(outside, a), u) / e.displacement);
     }
