@@ -1,5 +1,6 @@
 #include <patchgrip/contact/rotational_pressure.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -48,7 +49,7 @@ double RotationalPressure::height(double r) const {
   const int nodes = n + 1;
   double sum = 0;
   for (int j = 1; j < nodes; ++j) {
-    const double s = rho * std::sin(std::numbers::pi * j / nodes);
+    const double s = rho * std::sin(std::numbers::pi * std::min(j, nodes - j) / nodes);  // not of a rounded pi - x
     sum -= std::expm1(n * std::log1p(-s * s));
   }
   return approach / nodes * sum;

@@ -11,8 +11,8 @@
 //
 // Domain   1 <= n <= 1000; a, R, E* > 0.
 // Units    a, R, r, f, delta, u_z [m]; p [Pa], F [N].
-// Error    units of 2^-53, relative: 4 of p_0, 6 of F, 3 of delta, 8 + 3n of p (down to 1e-290 p_0), 8 of f,
-//          64 of u_z outside;
+// Error    units of 2^-53, relative: 4 of p_0, 6 of F, 3 of delta, 8 + 3n of p (down to 1e-290 p_0), 20 of f (13 of the
+//          terms of its sum, 2 of the sum, 5 of the factor), 64 of u_z outside;
 //          tests/contact/rotational_pressure_test.cc.
 // Throws   std::invalid_argument, naming the parameter, outside the domain or where a result would overflow or
 //          underflow.
