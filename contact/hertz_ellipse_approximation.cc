@@ -19,11 +19,12 @@ HertzEllipseApproximation HertzEllipseApproximation::under_force(double normal_f
   const double root_of_ratio = std::cbrt(q);                                         // sqrt(b / a)
   const double pressure = 1.5 * normal_force / (std::numbers::pi * mean * mean);
 
-  // 1e-15: what is left at the circle is rounding.
+  // What is left at the circle is rounding: of p_0 at most 16 units of 2^-53, half of that from the cube roots.
+  constexpr double rounding = 2e-15;
   const double L2 = std::log(q) * std::log(q);
-  const double ratio = 1e-15 + 0.0031 * L2 * std::sqrt(L2) / (1 + 0.04 * L2);
-  const double area = 1e-15 + 3.9e-4 * L2 * L2 / (1 + 0.1 * L2 + 3e-4 * L2 * L2);
-  const double depth = 1e-15 + 0.014 * L2 / (1 + 0.074 * L2 + 1e-4 * L2 * L2);
+  const double ratio = rounding + 0.0031 * L2 * std::sqrt(L2) / (1 + 0.04 * L2);
+  const double area = rounding + 3.9e-4 * L2 * L2 / (1 + 0.1 * L2 + 3e-4 * L2 * L2);
+  const double depth = rounding + 0.014 * L2 / (1 + 0.074 * L2 + 1e-4 * L2 * L2);
   return {require_representable("semi_axis_a", mean / root_of_ratio),
           require_representable("semi_axis_b", mean * root_of_ratio),
           require_representable("peak_pressure", pressure),
