@@ -23,8 +23,10 @@ double Sphere::pressure(double r, const SphereCircle& a) const {
 
 double Sphere::displacement(double r, const SphereCircle& a) const {
   const double radius = a;
-  if (r <= radius) return approach(a) - height(r);
-  return displacement_around(r, r - radius, a.s);
+  const double lacking = R_ * a.one_minus_ratio();
+  const double beyond = a.s < 0.5 ? r - radius : (r - R_) + lacking;
+  if (!(beyond > 0)) return approach(a) - height(r);
+  return displacement_around(r, beyond, lacking, radius, a.s);
 }
 
 SphereCircle Sphere::circle(double a) const {

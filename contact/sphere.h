@@ -9,6 +9,13 @@
 // where x^2 = r^2 + (R^2 - r^2) tanh^2 v, k = sqrt(1 - r^2/R^2) and V = arsinh(sqrt(a^2 - r^2) / sqrt(R^2 - a^2)).
 // The first part is closed; the integrand of the second is analytic for |Im v| < pi/2 and integrated by Gauss-Legendre
 // rules on pieces no longer than 5/4 in v, whose remainder is below 1e-18 of it (Bernstein ellipse of half-axes sum 4).
+//
+//     u_z = (2/pi) int_0^a arcsin(x/r) dg(x) = (2/pi) {s [a A + Z] - R A + k arctan[k a / (R Z)]},   r > a
+//
+// with A = arcsin(a/r), Z = sqrt(r^2 - a^2), k = sqrt(R^2 - r^2); for r > R the last term is k artanh with the opposite
+// sign. That cancels for a small a/R and far away, where the integral is taken by the same rules: with x = r sin w for
+// a <= R/2, in two pieces (half-axes sum 5), with x = R tanh v beyond r = sqrt(2) a (4).
+//
 // The series of the seed (4.14 superposed) is PowerSum::sphere_series in power_sum.h.
 //
 // Close to the equator neighboring doubles a are far apart in force: from a = R (1 - 1e-16) on, all loads have the same
@@ -17,20 +24,22 @@
 //
 // Domain   R > 0, 0 < a < R. Half-space and small-strain theory, taken at its word: beyond a/R of about 1/2 both fail.
 // Units    R, r, a [m]; the rest as in axisymmetric.h.
-// Error    units of 2^-53, relative: 4 of delta, 10 of F, 8 of p, 64 of u_z, 6 of the radius and of s, over the whole
-//          domain; tests/contact/sphere_test.cc.
+// Error    units of 2^-53, relative: 4 of delta, 14 of F, 8 of p, 64 of u_z, 6 of the radius and of s, over the whole
+//          domain; tests/contact/sphere_test.cc. Of F: around a = 3/4 R its terms are good to 12 on the average, most
+//          of that from the rounding of a/R, and 2 are of the factor R^2. Of u_z: the terms of the closed form together
+//          are at most 6 times their sum (a = R/2, r = sqrt(2) a), each is good to 10, and 3 are of the factor.
 // Fails    beyond its equator the sphere has no height: f is +infinity for r > R.
 // Throws   std::invalid_argument outside the domain.
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <patchgrip/contact/axisymmetric.h>
-#include <patchgrip/contact/endpoint_quadrature.h>
 
 namespace patchgrip::contact {
 
@@ -87,7 +96,7 @@ class Sphere {
   template <class Real>
   Real displacement(const Real& r, const Real& a) const {
     if (r <= a) return approach(a) - height(r);
-    return displacement_around(r, Real(r - a), artanh_ratio(a));
+    return displacement_around(r, Real(r - a), Real(R_ - a), a, artanh_ratio(a));
   }
   double displacement(double r, const SphereCircle& a) const;
 
@@ -96,7 +105,7 @@ class Sphere {
   SphereCircle radius_of_force(double force) const;
 
   double max_radius() const noexcept { return R_; }
-  ProfileErrors errors() const noexcept { return {4, 10, 8, 64, 6}; }
+  ProfileErrors errors() const noexcept { return {4, 14, 8, 64, 6}; }
   double radius() const noexcept { return R_; }
 
  private:
@@ -112,7 +121,7 @@ class Sphere {
 
   template <class Real>
   static Real unit_force(const Real& q, const Real& s) {
-    if (q > 0.5) return (1 + q * q) * s - q;
+    if (4 * q > 3) return q * q * s + (s - q);
     Real sum = 0;
     Real power = q;
     for (int k = 1;; ++k) {
@@ -131,50 +140,96 @@ class Sphere {
     return (y < 0.5 ? Real(atanh(y)) : Real(log((1 + y) * (1 + y) / one_minus_y2) / 2)) / y;
   }
 
+  // Of which the poles at +-i pi/2 are far enough.
+  template <class Real>
+  static int pieces(const Real& last) {
+    using std::ceil;
+    return 1 + static_cast<int>(ceil(last * (std::same_as<Real, double> ? 0.8 : 2)));
+  }
+
+  template <class Real, class Integrand>
+  static Real in_pieces(const Integrand& f, const Real& last, int count) {
+    using Rule = boost::math::quadrature::gauss<Real, std::same_as<Real, double> ? 15 : 30>;
+    Real sum = 0;
+    for (int i = 0; i < count; ++i) sum += Rule::integrate(f, Real(last * i / count), Real(last * (i + 1) / count));
+    return sum;
+  }
+
   // p/E* with sinh V given.
   template <class Real>
   Real pressure_within(const Real& r, const Real& sinh_V) const {
     using std::asinh;
-    using std::ceil;
     using std::cosh;
     using std::sqrt;
     using std::tanh;
     constexpr bool is_double = std::same_as<Real, double>;
-    using Rule = boost::math::quadrature::gauss<Real, is_double ? 15 : 30>;
     const Real y0 = r / R_;
     const Real k2 = (R_ - r) / R_ * ((R_ + r) / R_);
     const Real k = sqrt(k2);
     const Real V = asinh(sinh_V);
     const Real last = is_double && V > 24 ? Real(24) : V;  // sech^2 v v < 1e-19 from there on
-    const int pieces = 1 + static_cast<int>(ceil(last * (is_double ? 0.8 : 2)));
-    Real sum = 0;
-    for (int i = 0; i < pieces; ++i) {
-      const auto integrand = [&](const Real& v) -> Real {
-        const Real t = tanh(v);
-        const Real sech = 1 / cosh(v);
-        return artanh_per_y(Real(sqrt(y0 * y0 + k2 * t * t)), Real(k2 * sech * sech)) * sech * sech;
-      };
-      sum += Rule::integrate(integrand, Real(last * i / pieces), Real(last * (i + 1) / pieces));
-    }
+    const auto integrand = [&](const Real& v) -> Real {
+      const Real t = tanh(v);
+      const Real sech = 1 / cosh(v);
+      return artanh_per_y(Real(sqrt(y0 * y0 + k2 * t * t)), Real(k2 * sech * sech)) * sech * sech;
+    };
+    const Real sum = in_pieces(integrand, last, pieces<Real>(last));
     return (V / k + k * sum) / boost::math::constants::pi<Real>();
   }
 
-  // (2/pi) int_0^a arcsin(x/r) dg(x), x = R tanh v; beyond = r - a.
+  // beyond = r - a, lacking = R - a.
   template <class Real>
-  Real displacement_around(const Real& r, const Real& beyond, const Real& s) const {
-    using std::atan2;
-    using std::cosh;
-    using std::sinh;
+  Real displacement_around(const Real& r, const Real& beyond, const Real& lacking, const Real& a, const Real& s) const {
     using std::sqrt;
+    const Real Z = sqrt(beyond) * sqrt(r + a);
+    const Real shape = 2 * a <= R_                  ? narrow_integral(r, Z, a)
+                       : 2 * (a / r) * (a / r) <= 1 ? far_integral(r, s)
+                                                    : near_integral(r, Z, lacking, a, s);
+    return 2 / boost::math::constants::pi<Real>() * shape;
+  }
+
+  // With x = r sin w; at most half as wide as the sphere, g' is far from its poles.
+  template <class Real>
+  Real narrow_integral(const Real& r, const Real& Z, const Real& a) const {
+    using std::atan2;
+    using std::cos;
+    using std::sin;
+    const auto rate = [&](const Real& w) -> Real { return w * approach_slope(Real(r * sin(w))) * (r * cos(w)); };
+    return in_pieces(rate, Real(atan2(a, Z)), std::same_as<Real, double> ? 2 : 4);
+  }
+
+  // With x = R tanh v.
+  template <class Real>
+  Real far_integral(const Real& r, const Real& s) const {
+    using std::asin;
+    using std::cosh;
     using std::tanh;
-    const Real cosh_s = cosh(s);
-    const auto integrand = [&](const Real& v, const Real& left) -> Real {
+    constexpr bool is_double = std::same_as<Real, double>;
+    const Real last = is_double && s > 24 ? Real(24) : s;  // tanh v = 1 from there on, v sech^2 v = 0
+    const auto rate = [&](const Real& v) -> Real {
       const Real sech = 1 / cosh(v);
-      const Real x = R_ * tanh(v);
-      const Real away = beyond + R_ * sinh(left) * sech / cosh_s;  // r - x
-      return (tanh(v) + v * sech * sech) * atan2(x, Real(sqrt(away) * sqrt(r + x)));
+      return (tanh(v) + v * sech * sech) * asin(R_ / r * tanh(v));
     };
-    return 2 * R_ / boost::math::constants::pi<Real>() * integrate_to_both_ends(integrand, Real(0), s);
+    const Real inner = in_pieces(rate, last, pieces<Real>(last));
+    return R_ * (s > last ? Real(inner + (s - last) * asin(R_ / r)) : inner);
+  }
+
+  // The closed form; k^2 = |R^2 - r^2|.
+  template <class Real>
+  Real near_integral(const Real& r, const Real& Z, const Real& lacking, const Real& a, const Real& s) const {
+    using std::atan;
+    using std::atan2;
+    using std::log;
+    using std::sqrt;
+    const Real A = atan2(a, Z);
+    if (r < R_) {
+      const Real k = sqrt(R_ - r) * sqrt(R_ + r);
+      const Real sag = r / (R_ + k) * r;  // R - k
+      const Real lag = atan(sag / (R_ * (Z / a) + k * (a / Z)));
+      return A * (a * s - sag) + (Z * s - k * lag);
+    }
+    const Real k = sqrt(r - R_) * sqrt(r + R_);
+    return A * (a * s - R_) + s * (lacking / (Z + k) * (R_ + a)) - k * log((R_ / r * Z + k / r * a) / (R_ + a));
   }
 
   double R_;

@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include <patchgrip/contact/paraboloid.h>
 #include <patchgrip/contact/power_sum.h>
 #include <patchgrip/tests/contact/contact_table.h>
+#include <patchgrip/tests/contact/displacement_integral.h>
 #include <patchgrip/tests/support/cases.h>
 #include <patchgrip/tests/support/exact.h>
 
@@ -106,8 +108,8 @@ TEST(Sphere, StatedErrorsHold) {
       const Exact p = sphere.pressure(Exact(inside), exact);
       pressure = std::max(pressure, units_of_rounding(sphere.pressure(inside, a), p) / e.pressure);
     }
-    const double outside = a * (1 + log_uniform(engine, 1e-15, 1e6));
-    if (i % 49 == 0 && outside > a) {
+    const double outside = a * (1 + (i % 2 == 0 ? log_uniform(engine, 1e-15, 1e6) : uniform(engine, 0, 1)));
+    if (i % 7 == 0 && outside > a) {
       const Exact u = sphere.displacement(Exact(outside), exact);
       displacement = std::max(displacement, units_of_rounding(sphere.displacement(outside, a), u) / e.displacement);
     }
@@ -122,6 +124,48 @@ TEST(Sphere, StatedErrorsHold) {
   EXPECT_LE(force, 1);
   EXPECT_LE(pressure, 1);
   EXPECT_LE(displacement, 1);
+}
+
+TEST(Sphere, DisplacementIsItsIntegral) {
+  const Sphere sphere = Sphere::of_radius(1);
+  const auto rate = [&](const Exact& x) -> Exact { return sphere.approach_slope(x); };
+  for (const double a : {0.5, 0.5000001, 0.99}) {
+    for (const double r : {a * (1 + 1e-12), 1.3 * a, 30 * a}) {
+      const Exact integral = patchgrip::testing::displacement_integral(rate, r, a, 0);
+      EXPECT_LE(abs(sphere.displacement(Exact(r), Exact(a)) / integral - 1), 1e-30) << a << ' ' << r;
+    }
+  }
+}
+
+TEST(Sphere, HoldsItsErrorsNextToTheRimTheEquatorAndFarAway) {
+  const Sphere sphere = Sphere::of_radius(1);
+  const ProfileErrors e = sphere.errors();
+  for (const double a : {1e-12, 0.5, 0.5000001, 0.7071069, 0.75, 0.7500001, 0.99, 1 - 0x1p-53}) {
+    EXPECT_LE(units_of_rounding(sphere.force(a), sphere.force(Exact(a))), e.force) << a;
+    std::vector<double> radii = patchgrip::testing::radii_around(a);
+    for (const double r : {1 - 1e-9, 1 - 0x1p-53, 1., 1 + 0x1p-52, 1 + 1e-9}) {
+      if (r > a) radii.push_back(r);
+    }
+    for (const double r : radii) {
+      const Exact u = sphere.displacement(Exact(r), Exact(a));
+      EXPECT_LE(units_of_rounding(sphere.displacement(r, a), u), e.displacement) << a << ' ' << r;
+    }
+  }
+}
+
+// By s, also where a is 1 to rounding.
+TEST(Sphere, DisplacementOfACircleHoldsItsError) {
+  const Sphere sphere = Sphere::of_radius(1);
+  for (const double s : {1e-9, 0.3, 0.49, 0.51, 1., 5., 18., 20., 30.}) {
+    const Exact a = tanh(Exact(s));
+    const double rim = static_cast<double>(a);
+    for (const double r : {rim * (1 + 1e-12), 1.3 * rim, 1.42 * rim, 1., 1 + 0x1p-52, 1 + 1e-9, 1e6}) {
+      if (Exact(r) <= a) continue;
+      EXPECT_LE(units_of_rounding(sphere.displacement(r, SphereCircle{1, s}), sphere.displacement(Exact(r), a)),
+                sphere.errors().displacement)
+          << s << ' ' << r;
+    }
+  }
 }
 
 // s of a load, in fifty digits, by Newton from the answer in double.
