@@ -105,16 +105,19 @@ class Cycles {
     for (const double x : ends.places) {
       if (x > r) places.push_back(z_of(x));
     }
+    // q is what is left of stresses of the size of M(0) times the depth.
+    const double rounding = difference_rounding * law_.creep().modulus.instantaneous() * deepest(t);
     const Estimate rest = integral(
-        places, [&](double z) { return (q - spring(std::hypot(r, z), t).stress) / (z * z); },
-        difference_rounding * q / edge);
+        places, [&](double z) { return (q - spring(std::hypot(r, z), t).stress) / (z * z); }, rounding / places[1]);
     constexpr double inverse_pi = std::numbers::inv_pi;
     return {inverse_pi * (q / edge + rest.value), inverse_pi * (4 * 0x1p-53 * q / edge + rest.error)};
   }
 
  private:
-  static constexpr double stress_rounding = 1e-13;     // of q, relative to the one at the axis
-  static constexpr double difference_rounding = 1e-9;  // of (q(r) - q(x)) / z^2 next to r, relative to q / z(a)
+  static constexpr double stress_rounding = 1e-13;  // of q, relative to the one at the axis
+  // Of int (q(r) - q(x)) / z^2 dz over the panel next to r, times its length, relative to the stresses in q: 8 units of
+  // 2^-53 in a difference, 4e5 times as much by the first of the 21 points, z = 1.4e-5 of the length.
+  static constexpr double difference_rounding = 8 * 0x1p-53 * 4e5;
 
   struct Ends {
     std::vector<double> places;  // 0 .. a
