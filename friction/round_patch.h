@@ -10,7 +10,7 @@
 //
 // Units    a [m]; twist as in twist.h; D [m/s], force [1], moment [m], per mu F_N = 1 N.
 // Error    force and moment each <= 8 units of 2^-53 of their own size at every pole: rim, far field and infinity
-//          included. Measured: tests/friction/round_patch_test.cc, and `bounds_test --cases 100000`.
+//          included. Measured: tests/friction/round_patch_test.cc, and `bounds --cases 100000`.
 // Fails    results below 1e-290 of their scale are not relatively exact.
 // Throws   hessian(): std::domain_error at rest, for a twist that is not finite, and with the pole on the rim of a
 //          pressure that makes it infinite there (a ring).

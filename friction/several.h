@@ -15,7 +15,7 @@
 // Parts     lie where their own frames say: Placed(HertzDisc::of_radius(a), x, y), a polygon by its vertices. They are
 //           added as they are; zones that overlap add their pressures.
 // Units     normal_force [N] or any share of it, mu [1]; resistance [N]; the rest as patch.h.
-// Error     that of the parts by their weights and two roundings a part: tests/friction/bounds.cc.
+// Error     that of the parts by their weights and two roundings a part: `bounds --kind several`.
 // At rest, and with the pole on a point load among the parts: gradient() answers a subgradient, 0 for the part at rest.
 // Throws    std::invalid_argument, naming the part, unless there is one, all F_i > 0, all mu_i >= 0, and R > 0.
 //           hessian(): std::domain_error where that of a part does.

@@ -1,0 +1,96 @@
+// Rectangles and polygons, with holes, and down to needles.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <patchgrip/friction/polygon.h>
+#include <patchgrip/friction/rectangle.h>
+#include <patchgrip/tests/friction/bounds/exact_friction.h>
+#include <patchgrip/tests/friction/bounds/kind.h>
+#include <patchgrip/tests/friction/polygon_reference.h>
+
+namespace patchgrip::friction::bounds {
+namespace {
+
+using kernels::Vertex;
+
+std::vector<Point> draw_ring(Draw& draw, double cx, double cy, double size, double aspect, double turn) {
+  const int n = draw.integer(3, 10);
+  std::vector<Point> ring;
+  for (int k = 0; k < n; ++k) {
+    const double r = size * draw.uniform(0.5, 1);
+    const double phi = 2 * std::numbers::pi * (k + draw.uniform(0, 0.8)) / n;
+    const double x = r * std::cos(phi);
+    const double y = aspect * r * std::sin(phi);
+    ring.push_back({cx + x * std::cos(turn) - y * std::sin(turn), cy + x * std::sin(turn) + y * std::cos(turn)});
+  }
+  return ring;
+}
+
+std::vector<Vertex> vertices(const std::vector<Point>& ring, bool reverse) {
+  std::vector<Vertex> result;
+  for (const Point& p : ring) result.push_back({p.x, p.y});
+  if (reverse) std::reverse(result.begin(), result.end());
+  return result;
+}
+
+// Poles are drawn next to edges and vertices, too.
+template <class P>
+Case polygon_case(Draw& draw, const P& patch, const std::vector<std::vector<Vertex>>& rings) {
+  const PolygonReference reference(rings);
+  const PressureMoments s = patch.moments();
+  double radius = 0;
+  for (const Vertex& p : rings[0]) radius = std::max(radius, std::hypot(p.x - s.x, p.y - s.y));
+  const auto [twist, far] = draw_twist(draw, s.x, s.y, radius, [&](Draw& d) -> Pole {
+    const auto& ring = rings[d.index(rings.size())];
+    const std::size_t i = d.index(ring.size());
+    const Vertex& p = ring[i];
+    const Vertex& q = ring[(i + 1) % ring.size()];
+    const double t = d.coin() ? 0 : d.uniform(0, 1);
+    const double off = d.coin() ? 0 : radius * d.log_uniform(1e-16, 1e-6);
+    return Pole{p.x + t * (q.x - p.x) + off, p.y + t * (q.y - p.y) + (d.coin() ? off : 0)};
+  });
+  const DrawnLaw drawn = draw_law(draw);
+  const auto m = reference.moments();
+  return judged(far, friction_wrench(drawn.law, drawn.normal_force, patch, twist),
+                exact_friction(drawn, {m[0], m[1], m[2]}, reference.gradient(twist), twist));
+}
+
+Case rectangle(Draw& draw, double least_aspect, double largest_aspect) {
+  const double lx = draw.log_uniform(1e-6, 1e2), aspect = draw.log_uniform(least_aspect, largest_aspect);
+  const double ly = draw.coin() ? lx * aspect : lx / aspect;
+  const std::vector<Vertex> ring{{-lx / 2, -ly / 2}, {lx / 2, -ly / 2}, {lx / 2, ly / 2}, {-lx / 2, ly / 2}};
+  return polygon_case(draw, Rectangle::of_sides(lx, ly), {ring});
+}
+
+// One of three lies away from the origin.
+Case polygon(Draw& draw, double aspect) {
+  const double size = draw.log_uniform(1e-4, 1e1);
+  const double away = draw.integer(0, 2) == 0 ? 20 * size : 0;
+  const auto outer = draw_ring(draw, draw.uniform(-away, away), draw.uniform(-away, away), size, aspect, draw.angle());
+  return polygon_case(draw, Polygon::uniform(outer), {vertices(outer, false)});
+}
+
+Case polygon_with_hole(Draw& draw) {
+  const double size = draw.log_uniform(1e-4, 1e1);
+  const double aspect = draw.coin() ? 1 : draw.log_uniform(1e-2, 1);
+  const double turn = draw.angle();
+  std::vector<Point> outer, hole;
+  do {
+    outer = draw_ring(draw, 0, 0, size, aspect, turn);
+    hole = draw_ring(draw, 0, 0, size * draw.uniform(0.05, 0.2), aspect, turn);
+  } while (outer.size() < 6);
+  return polygon_case(draw, Polygon::uniform(outer, {hole}), {vertices(outer, false), vertices(hole, true)});
+}
+
+}  // namespace
+
+Kinds polygon_kinds() {
+  return {{"rectangle", [](Draw& draw) { return rectangle(draw, 1, 1e2); }},
+          {"needle_rectangle", [](Draw& draw) { return rectangle(draw, 1e3, 1e6); }},
+          {"polygon", [](Draw& draw) { return polygon(draw, draw.coin() ? 1 : draw.log_uniform(1e-2, 1)); }},
+          {"needle_polygon", [](Draw& draw) { return polygon(draw, draw.log_uniform(1e-6, 1e-3)); }},
+          {"polygon_with_hole", polygon_with_hole}};
+}
+
+}  // namespace patchgrip::friction::bounds
