@@ -12,8 +12,8 @@
 #include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/ring.h>
 #include <patchgrip/tests/friction/local_motions.h>
-#include <patchgrip/tests/friction/local_reference.h>
 #include <patchgrip/tests/friction/shapes.h>
+#include <patchgrip/tests/friction/within_error.h>
 #include <patchgrip/tests/support/cases.h>
 #include <patchgrip/tests/support/exact.h>
 

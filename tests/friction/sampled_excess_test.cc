@@ -7,8 +7,8 @@
 
 #include <patchgrip/friction/local_stribeck.h>
 #include <patchgrip/friction/rectangle.h>
-#include <patchgrip/tests/friction/local_reference.h>
 #include <patchgrip/tests/friction/sampled_cases.h>
+#include <patchgrip/tests/friction/within_error.h>
 
 namespace patchgrip::friction {
 namespace {

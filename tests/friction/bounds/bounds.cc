@@ -69,7 +69,8 @@ bool check(const Kind& kind, long cases, unsigned seed) {
 
 Kinds all_kinds() {
   Kinds all;
-  for (const auto make : {round_kinds, framed_kinds, ellipse_kinds, polygon_kinds}) {
+  for (const auto make : {round_kinds, framed_kinds, ellipse_kinds, polygon_kinds, sampled_kinds, local_kinds,
+                          gauge_kinds, cheap_gauge_kinds}) {
     for (Kind& kind : make()) all.push_back(std::move(kind));
   }
   return all;

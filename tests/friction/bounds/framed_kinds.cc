@@ -1,46 +1,13 @@
 // Patches moved and turned, several that share a load, and lines.
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/line_load.h>
-#include <patchgrip/friction/ring.h>
-#include <patchgrip/friction/several.h>
-#include <patchgrip/tests/friction/bounds/framed_patch.h>
+#include <patchgrip/tests/friction/bounds/framed_patches.h>
 #include <patchgrip/tests/friction/bounds/kind.h>
 #include <patchgrip/tests/friction/line_reference.h>
 
 namespace patchgrip::friction::bounds {
 namespace {
-
-// Two to six unlike parts; poles are drawn about one of them. Its law is Coulomb, of one coefficient.
-FramedPatch draw_several(Draw& draw) {
-  std::vector<Several::Part> parts;
-  std::vector<Weighted50> weighted;
-  FramedPatch one = draw_framed_point(draw);
-  Real50 sum = 0, x = 0, y = 0, polar = 0;
-  for (int i = draw.integer(2, 6); i > 0; --i) {
-    const int kind = draw.integer(0, 3);
-    FramedPatch part = kind == 0   ? draw_framed_disc<HertzDisc>(draw, 1)
-                       : kind == 1 ? draw_framed_disc<Ring>(draw, -0.5)
-                       : kind == 2 ? draw_turned_rectangle(draw)
-                                   : draw_framed_point(draw);
-    const double F = draw.log_uniform(1e-2, 1e2), mu = draw.uniform(0.01, 2);
-    const Real50 weight = Real50(F) * mu;
-    parts.push_back({part.patch, F, mu});
-    weighted.push_back({part.gradient, weight});
-    sum += weight;
-    x += weight * part.moments.x;
-    y += weight * part.moments.y;
-    polar += weight * (part.moments.polar + part.moments.x * part.moments.x + part.moments.y * part.moments.y);
-    one = std::move(part);
-  }
-  x /= sum;
-  y /= sum;
-  return {Several::of_parts(parts),           weighted_mean(weighted), one.x, one.y, one.radius,
-          {x, y, polar / sum - x * x - y * y}};
-}
 
 Case framed_case(Draw& draw, const FramedPatch& p) {
   const auto [twist, far] = draw_twist(draw, p.x, p.y, p.radius);
@@ -88,7 +55,7 @@ Kinds framed_kinds() {
   return {{"line_load", [](Draw& draw) { return line_case(draw, false); }},
           {"turned_line_load", [](Draw& draw) { return line_case(draw, true); }},
           framed_kind("turned_rectangle", 10, draw_turned_rectangle),
-          framed_kind("several", 50, draw_several)};
+          framed_kind("several", 50, [](Draw& draw) { return draw_several(draw, true); })};
 }
 
 }  // namespace patchgrip::friction::bounds

@@ -69,5 +69,9 @@ Kinds round_kinds();
 Kinds framed_kinds();
 Kinds ellipse_kinds();
 Kinds polygon_kinds();
+Kinds sampled_kinds();
+Kinds local_kinds();
+Kinds gauge_kinds();
+Kinds cheap_gauge_kinds();
 
 }  // namespace patchgrip::friction::bounds

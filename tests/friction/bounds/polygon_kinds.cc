@@ -1,38 +1,17 @@
 // Rectangles and polygons, with holes, and down to needles.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/tests/friction/bounds/exact_friction.h>
 #include <patchgrip/tests/friction/bounds/kind.h>
+#include <patchgrip/tests/friction/bounds/polygon_ring.h>
 #include <patchgrip/tests/friction/polygon_reference.h>
 
 namespace patchgrip::friction::bounds {
 namespace {
 
 using kernels::Vertex;
-
-std::vector<Point> draw_ring(Draw& draw, double cx, double cy, double size, double aspect, double turn) {
-  const int n = draw.integer(3, 10);
-  std::vector<Point> ring;
-  for (int k = 0; k < n; ++k) {
-    const double r = size * draw.uniform(0.5, 1);
-    const double phi = 2 * std::numbers::pi * (k + draw.uniform(0, 0.8)) / n;
-    const double x = r * std::cos(phi);
-    const double y = aspect * r * std::sin(phi);
-    ring.push_back({cx + x * std::cos(turn) - y * std::sin(turn), cy + x * std::sin(turn) + y * std::cos(turn)});
-  }
-  return ring;
-}
-
-std::vector<Vertex> vertices(const std::vector<Point>& ring, bool reverse) {
-  std::vector<Vertex> result;
-  for (const Point& p : ring) result.push_back({p.x, p.y});
-  if (reverse) std::reverse(result.begin(), result.end());
-  return result;
-}
 
 // Poles are drawn next to edges and vertices, too.
 template <class P>
@@ -68,7 +47,7 @@ Case polygon(Draw& draw, double aspect) {
   const double size = draw.log_uniform(1e-4, 1e1);
   const double away = draw.integer(0, 2) == 0 ? 20 * size : 0;
   const auto outer = draw_ring(draw, draw.uniform(-away, away), draw.uniform(-away, away), size, aspect, draw.angle());
-  return polygon_case(draw, Polygon::uniform(outer), {vertices(outer, false)});
+  return polygon_case(draw, Polygon::uniform(outer), {vertices(outer)});
 }
 
 Case polygon_with_hole(Draw& draw) {
@@ -80,7 +59,7 @@ Case polygon_with_hole(Draw& draw) {
     outer = draw_ring(draw, 0, 0, size, aspect, turn);
     hole = draw_ring(draw, 0, 0, size * draw.uniform(0.05, 0.2), aspect, turn);
   } while (outer.size() < 6);
-  return polygon_case(draw, Polygon::uniform(outer, {hole}), {vertices(outer, false), vertices(hole, true)});
+  return polygon_case(draw, Polygon::uniform(outer, {hole}), {vertices(outer), vertices(hole, true)});
 }
 
 }  // namespace

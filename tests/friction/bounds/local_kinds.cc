@@ -1,0 +1,60 @@
+// Stribeck's law at each point (local_stribeck.h): its excess against other ways to the same number, in 64 bits.
+#include <algorithm>
+#include <cmath>
+
+#include <patchgrip/friction/line_load.h>
+#include <patchgrip/friction/local_stribeck.h>
+#include <patchgrip/friction/power_disc.h>
+#include <patchgrip/friction/ring.h>
+#include <patchgrip/tests/friction/bounds/kind.h>
+#include <patchgrip/tests/friction/bounds/polygon_ring.h>
+#include <patchgrip/tests/friction/local_motions.h>
+#include <patchgrip/tests/friction/local_reference.h>
+
+namespace patchgrip::friction::bounds {
+namespace {
+
+constexpr double reference_error = 1e-17;
+
+Case local_case(const BoundedWrench& found, const LocalExcess& exact, const Twist& u, double length) {
+  const bool far = std::hypot(u.vx, u.vy) > 2 * length * std::fabs(u.w);
+  return judged(far, found, {exact.fx, exact.fy, exact.m}, reference_error, length);
+}
+
+Case ring(Draw& draw) {
+  const double a = draw.log_uniform(1e-3, 10);
+  const Twist u = random_twist(draw.engine(), a, a);
+  return local_case(stribeck_excess(Ring::of_radius(a), u), ring_excess(a, a, u), u, a);
+}
+
+Case power_ellipse(Draw& draw, double n, double least_aspect, double largest_aspect) {
+  const double a = draw.log_uniform(1e-3, 10), aspect = draw.log_uniform(least_aspect, largest_aspect);
+  const double b = draw.coin() ? a * aspect : a / aspect;
+  const Twist u = random_twist(draw.engine(), a, b);
+  const LocalExcess exact = n == -0.5 && u.w != 0 ? ring_excess(a, b, u) : power_ellipse_excess(a, b, n, u);
+  return local_case(stribeck_excess(PowerEllipse::of_semi_axes(a, b, n), u), exact, u, std::max(a, b));
+}
+
+double draw_exponent(Draw& draw) {
+  constexpr double closed[] = {-0.5, 0, 0.5, 1};
+  return draw.coin() ? closed[draw.index(4)] : draw.coin() ? -0.5 + draw.log_uniform(1e-6, 1) : draw.uniform(0.5, 20);
+}
+
+Case line(Draw& draw) {
+  const double L = draw.log_uniform(1e-3, 10), width = draw.coin() ? L / 2 : L * draw.log_uniform(1e-16, 1);
+  const Twist u = random_twist(draw.engine(), L / 2, width);
+  return local_case(stribeck_excess(LineLoad::of_length(L), u), line_excess(L, u), u, L / 2);
+}
+
+}  // namespace
+
+Kinds local_kinds() {
+  return {{"local_ring", ring},
+          {"local_line", line},
+          {"local_power_disc", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1, 1); }},
+          {"local_power_ellipse", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1, 10); }},
+          {"local_needle_rim", [](Draw& draw) { return power_ellipse(draw, -0.5, 1e3, 1e6); }},
+          {"local_needle", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1e3, 1e6); }}};
+}
+
+}  // namespace patchgrip::friction::bounds
