@@ -1,4 +1,4 @@
-// The patches that gauges are compared on: disc, ellipse, polygon, parts and samples, each with its grad D in many digits.
+// Patches that gauges are compared on: disc, ellipse, polygon, parts and samples, each with its grad D in many digits.
 //
 // Units    [m]; normal force 1 N, mu = 1.
 // Error    truth to 50 digits; of parts and cells their sum in 64 bits, to 1e-18.

@@ -10,7 +10,8 @@
 // Units    as hertz_ellipse.h.
 // Error    with L = ln(1/q), relative to hertz_ellipse.h, each to one side and rising with L:
 //              b/a     too small by at most  0.0031 L^3 / (1 + 0.04 L^2)        (0.1 % at q = 0.5, 3.2 % at 0.1)
-//              a b     too large by at most  3.9e-4 L^4 / (1 + 0.1 L^2 + 3e-4 L^4)   (9e-5, 0.7 %); p_0 too small by that
+//              a b     too large by at most  3.9e-4 L^4 / (1 + 0.1 L^2 + 3e-4 L^4)   (9e-5, 0.7 %); p_0 is too small
+//                      by that
 //              delta   too small by at most  0.014 L^2 / (1 + 0.074 L^2 + 1e-4 L^4)  (0.7 %, 5.4 %)
 //          each plus 2e-15 of rounding. These bounds are at most 1.2 times the measured error for L > 0.1; members
 //          *_error carry them to the results; tests/contact/hertz_ellipse_approximation_test.cc.

@@ -19,8 +19,8 @@
 // of them constants of the ellipse: S is a polynomial there. It is (4.47) for this pressure, as integrals over confocal
 // ellipses (Chandrasekhar, Ellipsoidal Figures of Equilibrium, ch. 3) taken by parts; a = b is the Hertz disc.
 //
-// A patch is two numbers and a table of its shape that copies share. Making the table takes about a millisecond, and the
-// longer the more slender the ellipse.
+// A patch is two numbers and a table of its shape that copies share. Making the table takes about a millisecond, and
+// the longer the more slender the ellipse.
 //
 // Domain   every pole, also on the rim and at infinity; aspect ratio up to 1e6.
 // Units    a, b [m].

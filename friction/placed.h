@@ -4,11 +4,11 @@
 //     D(vx, vy, w) = D_patch(R^T (vx - w y, vy + w x), w),    R = [cos -sin; sin cos]
 //     force = R force_patch,    moment = m_patch + x fy - y fx
 //
-// The velocity at the patch's own origin is rounded once: formed by a fused multiply-add and, where the patch is turned,
-// turned in extended precision; so is the wrench on its way back. What that one rounding does to force and moment is
-// H dv with the patch's own Hessian H, |dv| <= 2^-53 |v|, and is added to their bounds, twice because H changes on the
-// way. No length of the patch would do for H: it is as large as 1 / (width |w|) in the narrowest part of a zone. Without
-// a turn (angle = 0) nothing is computed for it.
+// The velocity at the patch's own origin is rounded once: formed by a fused multiply-add and, where the patch is
+// turned, turned in extended precision; so is the wrench on its way back. What that one rounding does to force and
+// moment is H dv with the patch's own Hessian H, |dv| <= 2^-53 |v|, and is added to their bounds, twice because H
+// changes on the way. No length of the patch would do for H: it is as large as 1 / (width |w|) in the narrowest part of
+// a zone. Without a turn (angle = 0) nothing is computed for it.
 //
 // Units    x, y [m], angle [rad].
 // Error    carried; measured in tests/friction/placed_test.cc.

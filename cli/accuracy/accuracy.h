@@ -3,12 +3,12 @@
 // A table is a JSON file in the format of data/reference/friction.json. Every entry that the library covers is
 // evaluated and compared in 50 digits; kinds of entries and fields that it does not cover are named, never passed over.
 //
-// Scale of an error    force mu F_N; moment mu F_N a_K; S, D, a_K, centroid and second moment their own size (the centroid the
-//                      radius of gyration); a Hessian its largest entry, with the spin rows divided by a length of the patch.
-//                      Lines called "relative" compare with the size of the value itself.
-// Rounded inputs       a table states poles, twists and sizes as decimals, the library takes the nearest doubles. The errors are
-//                      printed with that in them, and beside them the worst that is left without it (inputs.h). The
-//                      smaller of the two is held against the tolerance, since a table may mean either.
+// Scale of an error    force mu F_N; moment mu F_N a_K; S, D, a_K, centroid and second moment their own size (the
+//                      centroid the radius of gyration); a Hessian its largest entry, with the spin rows divided by a
+//                      length of the patch. Lines called "relative" compare with the size of the value itself.
+// Rounded inputs       a table states poles, twists and sizes as decimals, the library takes the nearest doubles. The
+//                      errors are printed with that in them, and beside them the worst that is left without it
+//                      (inputs.h). The smaller of the two is held against the tolerance, since a table may mean either.
 #pragma once
 
 #include <iosfwd>

@@ -2,7 +2,7 @@
 //
 // An entry states a problem by name, its inputs, and the outputs that are right:
 //
-//     { "name": "dmt", "inputs": { "R": { "value": "0.01", "unit": "m" }, ... }, "outputs": { "a_K": { "value": ... } } }
+//     {"name": "dmt", "inputs": {"R": {"value": "0.01", "unit": "m"}, ...}, "outputs": {"a_K": {"value": ...}}}
 //
 // A kind maps the inputs to outputs by the names of the table. It may give more than an entry asks for; what it does
 // not give is named as not covered. An evaluation that throws for the entry's own inputs counts as infinitely wrong.

@@ -1,5 +1,5 @@
-// Sections viscous (4.49) and local_stribeck: wrenches of the laws of friction on a patch, Stribeck's in the mean (4.48)
-// and at each point.
+// Sections viscous (4.49) and local_stribeck: wrenches of the laws of friction on a patch, Stribeck's in the mean
+// (4.48) and at each point.
 #include <array>
 #include <cmath>
 #include <functional>

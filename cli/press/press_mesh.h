@@ -8,7 +8,7 @@ namespace patchgrip::cli {
 
 bool has_mesh(const BodyPair& pair);
 
-// Of bodies told at `bodies` in the scene. Throws SceneError where the other body is neither a mesh, a ball nor a plane.
+// Of bodies told at `bodies` in a scene. Throws SceneError where the other body is no mesh, ball or plane.
 contact::MeshContact mesh_contact(const BodyPair& pair, const Place& bodies);
 
 Pressed press_mesh(const BodyPair& pair, double contact_modulus, const PressScene& scene);

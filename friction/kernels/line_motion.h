@@ -1,8 +1,8 @@
 // What friction of a uniformly loaded line consists of, without a cancellation at any pole.
 //
 // The line has the length L and lies along x about the origin, so that its points slide with (u, s), u = vx and
-// s = vy + w x from t_0 to t_1. With the speeds q_0, q_1 of its ends, Q = q_0 + q_1 and l = |w| L (times |w| a pole is a
-// velocity: Q is the major axis of the ellipse through the pole whose foci are the ends, l their distance),
+// s = vy + w x from t_0 to t_1. With the speeds q_0, q_1 of its ends, Q = q_0 + q_1 and l = |w| L (times |w| a pole is
+// a velocity: Q is the major axis of the ellipse through the pole whose foci are the ends, l their distance),
 //
 //     x = l / Q,    c^2 = 1 - x^2 = (Q - l)(Q + l) / Q^2                    eccentricity of that ellipse
 //     nu = 2 vy / Q,    eta^2 = 1 - nu^2 = 4 kappa / (Q + l)                where the pole lies on it

@@ -2,8 +2,8 @@
 // and the bracket of the true gauge.
 //
 // A shape has a value, homogeneous of degree 1, whose powers are formed: those of 2^-e t, near 1. The moment about the
-// centre of pressure (x, y) is rounded by a part of |m| + |x fy| + |y fx|; an error d of it asks for 2 d / l at most, as
-// B contains (0, 0, l / 2) there (support_function.h).
+// centre of pressure (x, y) is rounded by a part of |m| + |x fy| + |y fx|; an error d of it asks for 2 d / l at most,
+// as B contains (0, 0, l / 2) there (support_function.h).
 //
 // Domain   every load; one that is not finite has a gauge that is not a number.
 // Units    load [N], [N], [N m] about the origin; gauge [N].

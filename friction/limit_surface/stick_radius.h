@@ -1,6 +1,6 @@
 // The stick radius: distance of the limit surface from the origin, in spherical coordinates.
 //
-//     t = mu F_N rho_H(phi, theta) (sin theta cos phi, sin theta sin phi, a_K cos theta)                       (seed 4.51)
+//     t = mu F_N rho_H(phi, theta) (sin theta cos phi, sin theta sin phi, a_K cos theta)      (seed 4.51)
 //
 // holds just so, with a_K = sqrt(area / pi), phi = atan2(t_2, t_1) and theta in [0, pi] from the axis of moments. With
 // the gauge of the direction, rho_H = 1 / g(sin theta cos phi, sin theta sin phi, a_K cos theta). A force through the

@@ -13,8 +13,8 @@
 //
 // Domain   support functions in a frame where both bodies are close to the unit ball (support_function.h), not 0.
 // Units    none: twists and wrenches of that frame.
-// Error    bound >= the maximum >= attained. They differ by the tolerance and twice the errors of both functions, unless
-//          `most_cones` ended the search: that is not hidden, the numbers show it.
+// Error    bound >= the maximum >= attained. They differ by the tolerance and twice the errors of both functions,
+//          unless `most_cones` ended the search: that is not hidden, the numbers show it.
 #pragma once
 
 #include <patchgrip/friction/limit_surface/support_function.h>

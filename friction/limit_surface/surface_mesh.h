@@ -1,9 +1,9 @@
 // The limit surface as a closed triangle mesh, with the slip at every vertex.
 //
 // The directions of an icosahedron's edges halved `refinements` times, in (fx, fy, M / L) about the centroid of the
-// pressure with L = M_0 the gauge's unit of moment (1 / g(0, 0, 1)), are scaled onto the surface, t / g(t). So triangles
-// are of like size as drawn with moments per L, forces and moments reach 1 alike, and no vertex is crowded to a pole as
-// with longitudes and latitudes. The surface is convex, so all triangles face outwards.
+// pressure with L = M_0 the gauge's unit of moment (1 / g(0, 0, 1)), are scaled onto the surface, t / g(t). So
+// triangles are of like size as drawn with moments per L, forces and moments reach 1 alike, and no vertex is crowded to
+// a pole as with longitudes and latitudes. The surface is convex, so all triangles face outwards.
 //
 // The slip is normal to the surface, scaled to D = 1: t . twist = 1. What it turns about is the pole; a vertex with a
 // pole at infinity is a pure translation.

@@ -106,8 +106,8 @@ TEST(TreeOfTriangles, IsGoodToItsTolerance) {
   }
 }
 
-// Squares around one another, each of half the side: every cut through the middle of a box takes a few triangles off it,
-// so that a tree of such cuts alone would have too many levels.
+// Squares around one another, each of half the side: every cut through the middle of a box takes a few triangles off
+// it, so that a tree of such cuts alone would have too many levels.
 Triangulation nested_squares(std::size_t count) {
   Triangulation mesh;
   for (std::size_t k = 0; k < count; ++k) {
