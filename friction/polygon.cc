@@ -50,8 +50,9 @@ AreaMoments area_moments(const std::vector<std::vector<Vertex>>& rings) {
   return {area, x0 + mx, y0 + my, second / area - mx * mx - my * my};
 }
 
+// The long edges of a needle are nearly along their own vertices: in 64 bits a weight would lose them by its aspect.
 std::vector<kernels::BoundarySample> boundary_samples(const std::vector<std::vector<Vertex>>& rings, const Vertex& c,
-                                                      long double area) {
+                                                      const Wide& area) {
   // Exact for the far field's degree: 12 points integrate degree 23.
   using Gauss = boost::math::quadrature::gauss<long double, 12>;
   std::vector<kernels::BoundarySample> samples;
@@ -61,11 +62,12 @@ std::vector<kernels::BoundarySample> boundary_samples(const std::vector<std::vec
       const Vertex& q = ring[(i + 1) % ring.size()];
       const long double px = static_cast<long double>(p.x) - c.x, py = static_cast<long double>(p.y) - c.y;
       const long double ex = static_cast<long double>(q.x) - p.x, ey = static_cast<long double>(q.y) - p.y;
-      const long double twice_triangle = px * ey - py * ex;  // h times the length of the edge
+      const Wide cross = (Wide(p.x) - c.x) * (Wide(q.y) - p.y) - (Wide(p.y) - c.y) * (Wide(q.x) - p.x);
+      const auto share = static_cast<long double>(cross / area);  // h times the length of the edge, over the area
       for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
         for (const int side : {-1, 1}) {
           const long double t = (1 + side * Gauss::abscissa()[k]) / 2;
-          samples.push_back({px + t * ex, py + t * ey, twice_triangle * Gauss::weights()[k] / 2 / area});
+          samples.push_back({px + t * ex, py + t * ey, share * Gauss::weights()[k] / 2});
         }
       }
     }
@@ -191,7 +193,7 @@ Polygon Polygon::uniform(const std::vector<Point>& outer, const std::vector<std:
   // The terms of the edge sums exceed their result by about `condition`, those of the moment by (r / radius)^3 more.
   const double condition = perimeter * data->radius / data->area;
   data->double_reach = condition < 32 ? data->radius * std::cbrt(66 / condition) : 0;
-  data->far = kernels::FarField(boundary_samples(rings, data->centroid, data->fine_area), data->radius,
+  data->far = kernels::FarField(boundary_samples(rings, data->centroid, m.area), data->radius,
                                 static_cast<long double>(m.x - data->centroid.x),
                                 static_cast<long double>(m.y - data->centroid.y));
   return Polygon(std::move(data));
