@@ -16,12 +16,25 @@
 //     E = (1 / 2 pi) int dphi [n; W s] int_-1^1 q(s) g(u . n + w W s) ds,   q = (1 - s^2)^n / B(1/2, n + 1)
 //
 // with W the half width of the zone. On polygons the triangles between the pole and the edges are integrated along
-// their rays in closed form, beyond two radii those between centroid and edges by points. Lines are integrated along
-// themselves (line_stribeck.cc). XydasKaoDisc and StampDisc have no such law.
+// their rays in closed form, beyond two radii those between centroid and edges by points. Lines and rings are
+// integrated along themselves (line_stribeck.cc, ring_stribeck.cc). XydasKaoDisc and StampDisc have no such law.
 //
 // Units    as law.h.
-// Error    carried: that of t_k, and an estimate for E, mostly some 1e-15 (kernels/vector_quadrature.h):
-//          tests/friction/local_stribeck_error_test.cc.
+// Error    carried: that of t_k, and an estimate for E, mostly some 1e-15: of the quadrature
+//          (kernels/vector_quadrature.h) and of rounding. The wave jumps by pi where it changes sign, at s = u . n / w
+//          W, which 7 roundings move by 7 units of 2^-53 of itself; so on a disc, with the pole at x radii,
+//
+//              |dE| <= 7 units C(x),   C = int dphi s q(s),  s = x cos phi
+//
+//          C <= 1 for n >= 0. A projection that is infinite at the rim (n < 0) has
+//
+//              C <= min(1 / (n + 1/2), ln((1 + x) / |1 - x|)) / B(1/2, n + 1)
+//
+//          (the ring's is ln(...) / pi, any q is below pi / B of the ring's), where |1 - x| is no less than the 7
+//          units. On ellipses directions are rounded, too: int dphi a / W = 2 K <= pi + 2 ln(a / b), hence 1 + ln(a /
+//          b) times as much; and directions are up to a / b times as dense at the pole's rim, which counts for n < 0.
+//          Nine units more for directions and the wave. Rings have no C: they are not integrated so.
+//          tests/friction/local_stribeck_error_test.cc, `bounds --kind local_ring` and others of local_*.
 // Cost     some milliseconds.
 #pragma once
 

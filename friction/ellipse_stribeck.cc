@@ -1,0 +1,170 @@
+// Stribeck's excess of ellipses and discs: a mean of plane waves over directions (local_stribeck.h).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <boost/math/special_functions/beta.hpp>
+
+#include <patchgrip/contact/require.h>
+#include <patchgrip/friction/flat_punch_disc.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/kernels/excess_parts.h>
+#include <patchgrip/friction/kernels/stribeck_wave.h>
+#include <patchgrip/friction/point_load.h>
+#include <patchgrip/friction/power_disc.h>
+#include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/seed_hertz_disc.h>
+#include <patchgrip/friction/stribeck_excess.h>
+#include <patchgrip/friction/uniform_disc.h>
+
+namespace patchgrip::friction {
+namespace {
+
+using kernels::BoundedIntegrals;
+using kernels::ExcessParts;
+using kernels::integrate;
+using std::numbers::pi;
+
+constexpr double unit = 0x1p-53;
+
+// q(s) from 1 - s^2.
+class Projection {
+ public:
+  explicit Projection(double n) : n_(n), scale_(1 / boost::math::beta(0.5, n + 1)) {}
+
+  double operator()(double x) const noexcept {
+    if (n_ == 0) return scale_;
+    if (n_ == 1) return scale_ * x;
+    if (n_ == 0.5) return scale_ * std::sqrt(x);
+    if (n_ == -0.5) return scale_ / std::sqrt(x);
+    return scale_ * std::pow(x, n_);
+  }
+
+  double scale() const noexcept { return scale_; }
+
+ private:
+  double n_, scale_;
+};
+
+// int q g ds and int q s g ds of the wave g(c + k s) over [-1, 1]; c, k >= 0. The wave is folded at s = 0, and jumps
+// where it changes sign, at s = c / k. The third number is int q |g| ds: rounding of g leaves 4 units of it.
+BoundedIntegrals<3> across(const Projection& q, double c, double k) noexcept {
+  const auto& g = kernels::StribeckWave::shared();
+  const auto folded = [&](double s, double one_minus_s, double argument) -> std::array<double, 3> {
+    const double forth = g(c + k * s), back = g(argument), pressure = q(one_minus_s * (1 + s));
+    return {pressure * (forth - back), pressure * s * (forth + back), pressure * (std::fabs(forth) + std::fabs(back))};
+  };
+  const double jump = c / k;
+  if (!(jump < 1)) {
+    return integrate<3>([&](double s, double to_hi) { return folded(s, to_hi, k * s - c); }, 0, 1);
+  }
+  BoundedIntegrals<3> sum =
+      integrate<3>([&](double s, double to_jump) { return folded(s, (1 - jump) + to_jump, -k * to_jump); }, 0, jump);
+  const BoundedIntegrals<3> beyond = integrate<3>(
+      [&](double from_jump, double to_hi) { return folded(jump + from_jump, to_hi, k * from_jump); }, jump, 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum.value[i] += beyond.value[i];
+    sum.error[i] += beyond.error[i];
+  }
+  return sum;
+}
+
+// See local_stribeck.h; x is the pole's place in semi-axes.
+double rounding_of(const PowerEllipse& zone, const Projection& q, double x) noexcept {
+  constexpr double of_place = 7, others = 9;  // units
+  const double slenderness = std::fabs(std::log(zone.a() / zone.b()));
+  double condition = 1;
+  if (zone.n() < 0) {
+    const double from_rim = std::max(std::fabs(1 - x), of_place * unit);
+    condition = q.scale() * std::min(1 / (zone.n() + 0.5), std::log((1 + x) / from_rim)) * std::exp(slenderness);
+  }
+  return unit * (others + of_place * std::max(condition, 1.0)) * (1 + slenderness);
+}
+
+}  // namespace
+
+PowerEllipse PowerEllipse::of_semi_axes(double a, double b, double n) {
+  contact::require_positive("a", a);
+  contact::require_positive("b", b);
+  contact::require_in("n", n, -0.5, 20);
+  return {a, b, n};
+}
+
+BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept {
+  const double a = zone.a(), b = zone.b();
+  if (u.w == 0) return stribeck_excess(PointLoad{}, u);
+  const bool round = a == b;
+  if (round && zone.n() == -0.5) return stribeck_excess(Ring::of_radius(a), u);
+  const Projection q(zone.n());
+  const double w = std::fabs(u.w), length = std::max(a, b);
+  const double speed = std::hypot(u.vx, u.vy), ex = speed > 0 ? u.vx / speed : 1, ey = speed > 0 ? u.vy / speed : 0;
+  // n at the angle phi from u.
+  const auto at = [&](double phi) -> ExcessParts {
+    const double c = std::max(std::cos(phi), 0.0), s = std::sin(phi);
+    const double nx = c * ex - s * ey, ny = c * ey + s * ex, W = round ? a : std::hypot(b * nx, a * ny);
+    const auto wave = across(q, speed * c, w * W);
+    const double rounding = 4 * unit * wave.value[2];
+    return {nx * wave.value[0], ny * wave.value[0], W / length * wave.value[1], wave.error[0] + rounding,
+            W / length * (wave.error[1] + rounding)};
+  };
+  // Cuts where the wave's jump leaves the zone (nowhere if the pole is inside), between them, where it comes nearest to
+  // the rim, and across a long axis, where W turns.
+  std::array<double, 6> cuts{-pi / 2, pi / 2, pi / 2, pi / 2, pi / 2, pi / 2};
+  std::size_t count = 1;
+  const auto angle = [&](double x, double y) { return std::atan2(ex * y - ey * x, ex * x + ey * y); };
+  const double level = std::hypot(u.vx / b, u.vy / a), theta_0 = std::atan2(ey / a, ex / b);
+  const double leaves = level > w ? std::atan2(std::sqrt((level - w) * (level + w)), w) : 0;
+  for (const double theta : {-leaves, 0.0, leaves}) {
+    cuts[count++] = round ? theta : angle(std::cos(theta_0 + theta) / b, std::sin(theta_0 + theta) / a);
+  }
+  if (!round) {
+    const double turn = a > b ? angle(1, 0) : angle(0, 1);
+    cuts[count++] = turn > pi / 2 ? turn - pi : turn < -pi / 2 ? turn + pi : turn;
+  }
+  std::sort(cuts.begin(), cuts.begin() + count);
+  BoundedIntegrals<5> sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (round && cuts[i + 1] <= 0) continue;  // the same as beyond 0
+    add(sum,
+        integrate<5>([&, lo = cuts[i]](double from_lo, double) { return at(lo + from_lo); }, cuts[i], cuts[i + 1]));
+  }
+  BoundedWrench g = collected(sum, (round ? 2 : 1) / pi, length);
+  if (round) {
+    const double along = g.value.fx * ex + g.value.fy * ey;
+    g.value.fx = along * ex;
+    g.value.fy = along * ey;
+  }
+  g.value.m *= std::copysign(1.0, u.w);
+  const double rounding = rounding_of(zone, q, level / w);
+  g.force_error += rounding;
+  g.moment_error += rounding * length;
+  return g;
+}
+
+BoundedWrench stribeck_excess(const FlatPunchDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), 0), u);
+}
+
+BoundedWrench stribeck_excess(const HertzDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), 1), u);
+}
+
+BoundedWrench stribeck_excess(const HertzEllipse& ellipse, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse::of_semi_axes(ellipse.a(), ellipse.b(), 1), u);
+}
+
+BoundedWrench stribeck_excess(const PowerDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), disc.exponent()), u);
+}
+
+BoundedWrench stribeck_excess(const SeedHertzDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), 1), u);
+}
+
+BoundedWrench stribeck_excess(const UniformDisc& disc, const Twist& u) noexcept {
+  return stribeck_excess(PowerEllipse::of_semi_axes(disc.radius(), disc.radius(), 0.5), u);
+}
+
+}  // namespace patchgrip::friction
