@@ -26,8 +26,13 @@ constexpr int kinked_evaluations = 12;
 // Of all evaluations, what kinks may take; cutting planes have the rest. Of kinks close together none has the slip.
 constexpr double kinks_share = 0.4;
 
-// Of the pressure along a force across a line load, in squared radii of gyration: a start with the pole off the line.
-constexpr double least_spread = 1e-12;
+// Of the pressure along a force across a line load, in squared radii of gyration: a start with the pole off the line,
+// as a zone of that width has it.
+constexpr double least_spread = beside * beside;
+
+// At a kink rounding turns the gradient however it likes. This far aside, of |v|, about the root of 2^-53, it is turned
+// by no more than the gauge is less there.
+constexpr double aside = 1e-8;
 
 double force_size(const Wrench& t) noexcept { return std::hypot(t.fx, t.fy); }
 
@@ -183,7 +188,7 @@ class Maximiser {
     } while (dot(best_.gradient, best_.u) - 1 > best_.g.force_error && evaluations_ < settings_.max_evaluations &&
              planes.add(plane(best_)));
     // There D is bounded worse than a little aside of it.
-    at(moved(best_.u, 1e-8 * std::sqrt(dot(best_.u, best_.u)), {1, 0, 0}));
+    at(moved(best_.u, aside * std::sqrt(dot(best_.u, best_.u)), {1, 0, 0}));
     best_.bracket.lower = lower_;
     best_.bracket.upper = upper_;
     return upper_ - lower_ <= settings_.relative_gap * lower_;

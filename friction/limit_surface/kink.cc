@@ -49,7 +49,7 @@ std::vector<Kink> kinks_of(const PatchView& patch, std::vector<PointShare> share
   for (Kink& kink : kinks) {
     kink.at_rest = kink.near(patch, {});
     // Next to the point, as at it the Hessian of D is infinite.
-    kink.stiffness = kink.stiffness_at(patch, kink.twist({0.8e-6 * length, 0.6e-6 * length}));
+    kink.stiffness = kink.stiffness_at(patch, kink.twist({0.8 * beside * length, 0.6 * beside * length}));
   }
   return kinks;
 }

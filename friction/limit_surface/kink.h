@@ -18,6 +18,10 @@
 
 namespace patchgrip::friction {
 
+// How far from a kink of D, or from a line load, curvatures are taken, in radii of gyration: rounding leaves 2^-53 /
+// beside = 1e-10 of them there, and they change by about `beside` of the rest's.
+inline constexpr double beside = 1e-6;
+
 // A vector in the plane: a force [1], or the velocity of the point [m/s].
 struct Planar {
   double x = 0;
@@ -59,7 +63,7 @@ struct Kink {
   NearKink at(const PatchView& patch, const Twist& v) const noexcept;  // v.w = 1
   NearKink near(const PatchView& patch, const Planar& z) const noexcept { return at(patch, twist(z)); }
 
-  // H_R with the point at a velocity z, |z| at least about 1e-6 of a radius: rounding leaves 2^-53 / |z| of it.
+  // H_R with the point at a velocity z, |z| no less than about `beside`: rounding leaves 2^-53 / |z| of it.
   Stiffness stiffness_at(const PatchView& patch, const Twist& v) const noexcept;  // v.w = 1
 };
 

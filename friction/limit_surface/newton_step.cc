@@ -6,20 +6,18 @@
 namespace patchgrip::friction {
 namespace {
 
-// What Newton's matrix is raised by, of its trace: some tens of its rounding.
-constexpr double raise = 1e-14;
+constexpr double unit = 0x1p-53;
+
+// What Newton's matrix is raised by, of its trace: ten times what the elimination of three rows rounds, ten units.
+constexpr double raise = 100 * unit;
 
 // A curvature of D below this many raises is none that rounding of the gradient could tell: the pole would be uncertain
-// by 2^-53 / (least_curvature * raise), a millionth of a radius.
+// by unit / (least_curvature * raise), a millionth of a radius.
 constexpr double least_curvature = 1e4;
 
-// How far off a line load its Hessian is taken, in radii of gyration: there it is about 1 / aside, and good to
-// 2^-53 / aside.
-constexpr double aside = 1e-6;
-
 // Where the Hessian is infinite (the pole on a line load) it is taken with the pole a little aside.
-Twist beside(const Twist& v, double length) noexcept {
-  const double shift = aside * length * v.w;
+Twist moved_aside(const Twist& v, double length) noexcept {
+  const double shift = beside * length * v.w;
   return {v.vx + 0.8 * shift, v.vy - 0.6 * shift, v.w};
 }
 
@@ -28,7 +26,8 @@ Twist beside(const Twist& v, double length) noexcept {
 std::optional<NewtonStep> newton_step(const PatchView& patch, const PressureFrame& frame, const Vector& t,
                                       const Twist& v, const Vector& g, double D, double value) noexcept {
   Hessian h;
-  if (!patch.hessian(patch.patch, v, h) && !patch.hessian(patch.patch, beside(v, frame.length), h)) return std::nullopt;
+  if (!patch.hessian(patch.patch, v, h) && !patch.hessian(patch.patch, moved_aside(v, frame.length), h))
+    return std::nullopt;
   h = frame.about_centroid(h);
   // H is that of v: D(k v) H(k v) = D(v) H(v)
   const double m00 = D * h.xx + g[0] * g[0], m01 = D * h.xy + g[0] * g[1], m02 = D * h.xw + g[0] * g[2];

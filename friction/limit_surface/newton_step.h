@@ -2,8 +2,8 @@
 //
 //     (D H + grad D grad D^T) s = t - (t . v / D) grad D
 //
-// with the twist at its best length (gauge_solver.h). The matrix is raised by 1e-14 of its trace: it is singular where
-// all the pressure lies on a line, and D the same for many poles.
+// with the twist at its best length (gauge_solver.h). The matrix is raised by some roundings of its trace: it is
+// singular where all the pressure lies on a line, and D the same for many poles.
 //
 // Units    as gauge.h; spins times the radius of gyration.
 // Error    a step that is wrong costs evaluations only.

@@ -12,6 +12,10 @@ constexpr double unit = 0x1p-53;
 // Further away D is smooth enough for Newton's method; in radii of gyration.
 constexpr double reach = 0.3;
 
+// Next to a point the velocity of it is what rounding leaves of two of about a radius of gyration: nearer than this, in
+// such radii, its direction is off by 1e-4 and the gauge differs from that about the point by rounding alone.
+constexpr double nearest = 1e4 * unit;
+
 // A stiffness of fewer roundings of H_R than that is none.
 constexpr double least_stiffness = 4;
 
@@ -117,7 +121,7 @@ std::optional<Gauge> gauge_at(const Kink& kink, const PatchView& patch, const Pr
     if (!(length_of(z) < 0.9 * reach * frame.length)) return std::nullopt;
     near = kink.near(patch, z);
     ++evaluations;
-    if (length_of(near.z) > 1e-6 * frame.length) h = kink.stiffness_at(patch, near.twist);
+    if (length_of(near.z) > beside * frame.length) h = kink.stiffness_at(patch, near.twist);
   }
   return std::nullopt;
 }
@@ -150,7 +154,7 @@ std::optional<Twist> away_from(const Kink& kink, const PatchView& patch, const P
   const Wrench t = times(sense, load);
   const PointForce about = point_force(kink, kink.at_rest, t);
   if (!(length_of(about.asked) > kink.point.share)) return std::nullopt;
-  for (double longest = reach * frame.length; longest > 1e-12 * frame.length; longest *= 0.25) {
+  for (double longest = reach * frame.length; longest > nearest * frame.length; longest *= 0.25) {
     const Planar z = velocity_of_point(kink.stiffness, kink.point.share, about.asked, longest);
     const NearKink near = kink.near(patch, z);
     ++evaluations;

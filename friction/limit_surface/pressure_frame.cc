@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include <patchgrip/contact/require.h>
+#include <patchgrip/friction/limit_surface/central_moment.h>
 
 namespace patchgrip::friction {
 
@@ -27,19 +26,13 @@ PressureFrame::PressureFrame(const PatchView& patch, const PressureMoments& mome
   xy = spread(std::sqrt(0.5), std::sqrt(0.5)) - (xx + yy) / 2;
   const BoundedWrench g = patch.gradient(patch.patch, twist_about({x, y}, 1));
   const double arm = std::fabs(x) + std::fabs(y);
-  spread_error = 64 * unit * std::pow(1 + arm / length, 2);
-  const double S = g.value.m - (x * g.value.fy - y * g.value.fx);
-  const double S_error = g.moment_error + arm * (g.force_error + 4 * unit) + 2 * unit * std::fabs(g.value.m);
+  // Of about 1 / 4 at most: d2D / dw2 of three translations, some eight roundings each, as large as their terms are
+  // about the origin.
+  constexpr double roundings = 64;
+  spread_error = roundings * unit * std::pow(1 + arm / length, 2);
+  const CentralMoment S(g, x, y);
   const double slope = std::hypot(g.value.fx, g.value.fy) + g.force_error;
-  least_moment = (1 - 4 * unit) * (S - S_error) * std::max(0.5, 1 - slope);
-  if (!(least_moment > 0)) {
-    std::ostringstream message;
-    message.precision(17);
-    message << "centroid = (" << x << ", " << y
-            << ") m is not allowed: too far from the origin for a radius of gyration " << length
-            << " m, rounding leaves nothing of the moment about it";
-    throw std::invalid_argument(message.str());
-  }
+  least_moment = (1 - 4 * unit) * (S.value - S.error) * std::max(0.5, 1 - slope);
 }
 
 Twist PressureFrame::about_origin(const Vector& u) const noexcept {

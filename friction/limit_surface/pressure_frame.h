@@ -7,8 +7,7 @@
 //
 // Units    [m], [m^2].
 // Throws   std::invalid_argument unless the radius of gyration is positive (a single point load holds no moment), and
-//          unless the least moment is: so far from the origin that rounding of the moment, 2^-53 times that distance,
-//          is all there is.
+//          as CentralMoment, so far from the origin that rounding is all there is of S(c).
 #pragma once
 
 #include <vector>

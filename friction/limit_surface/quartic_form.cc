@@ -9,7 +9,9 @@ namespace {
 
 // Positive definite by more than rounding: pivots of the elimination.
 bool is_positive(const Hessian& h) {
-  const double least = 1e-13 * (std::fabs(h.xx) + std::fabs(h.yy) + std::fabs(h.ww));
+  constexpr double rounding =
+      1000 * 0x1p-53;  // of a Hessian and its elimination: some hundred units, and ten times that
+  const double least = rounding * (std::fabs(h.xx) + std::fabs(h.yy) + std::fabs(h.ww));
   if (!(h.xx > least)) return false;
   const double yy = h.yy - h.xy * h.xy / h.xx, yw = h.yw - h.xy * h.xw / h.xx, ww = h.ww - h.xw * h.xw / h.xx;
   return yy > least && ww - yw * yw / yy > least;

@@ -59,7 +59,7 @@ class RoundLimitSurface {
     g.upper = (1 + 4 * unit) * (k + shift + 12 * unit * terms);
     const double speed = F > 0 ? V / (D * F) : 0;
     g.twist = {speed * t.fx, speed * t.fy, std::copysign(W / (D * a), t.m)};
-    g.status = shift <= 1e-12 * k ? GaugeStatus::converged : GaugeStatus::stalled;
+    g.status = shift <= GaugeSettings{}.relative_gap * k ? GaugeStatus::converged : GaugeStatus::stalled;
     return scaled.back(g);
   }
 

@@ -13,15 +13,14 @@
 // Error    relative: |value - h(v)| <= error h(v), and wrench / (1 + error) lies in the body. A patch's error of force
 //          and moment counts with 1 and 2 / l, as B contains (0, 0, l / 2): S(M) >= l / 2 everywhere, because
 //          |M - c| <= S(M) and l = S(c) <= S(M) + |M - c|.
-// Throws   CentredFrame::of: std::invalid_argument, naming the moment about the centre, unless it exceeds its error
-//          by rounding: one point, or a patch too far from its origin to be seen from there.
+// Throws   CentredFrame::of: std::invalid_argument as CentralMoment.
 #pragma once
 
 #include <cmath>
 #include <functional>
 #include <limits>
 
-#include <patchgrip/contact/require.h>
+#include <patchgrip/friction/limit_surface/central_moment.h>
 #include <patchgrip/friction/patch.h>
 
 namespace patchgrip::friction {
@@ -40,15 +39,7 @@ struct CentredFrame {
   template <Patch P>
   static CentredFrame of(const P& patch) {
     const PressureMoments s = patch.moments();
-    const Twist spin = twist_about({s.x, s.y}, 1);
-    const double length = contact::require_positive("moment about the centre of pressure", patch.dissipation(spin));
-    const BoundedWrench g = patch.bounded_gradient(spin);
-    const double error = g.moment_error + std::hypot(s.x, s.y) * (g.force_error + 4 * unit);
-    if (!(error < length)) {
-      contact::refuse("moment about the centre of pressure", length,
-                      "must exceed its error by rounding, or the patch is a point as seen from its origin");
-    }
-    return {s.x, s.y, length};
+    return {s.x, s.y, CentralMoment(patch.bounded_gradient(twist_about({s.x, s.y}, 1)), s.x, s.y).value};
   }
 
   Twist local(const Twist& v) const noexcept { return {std::fma(-v.w, y, v.vx), std::fma(v.w, x, v.vy), v.w * length}; }

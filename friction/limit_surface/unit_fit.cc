@@ -52,16 +52,20 @@ void add_barrier(Expansion& f, const std::vector<PositiveMatrix>& conditions, co
 // Newton's method from a point where the function is finite.
 template <class Function>
 void minimise(const Function& f, VectorXd& x) {
+  // The function is self-concordant, its decrement the root of -slope: from 1e-3 a full step leaves 1e-6 of it.
+  constexpr double quadratic = 1e-6;
+  constexpr double shortest = 0x1p-33;  // of a step, which far from the least may leave the domain
   for (int k = 0; k < 50; ++k) {
     const Expansion at = f(x, Of::derivatives);
     const VectorXd step = -at.hessian.ldlt().solve(at.gradient);
     const double slope = at.gradient.dot(step);
-    if (!(slope < -1e-6)) {
-      if (slope < 0) x += step;  // converges quadratically by now
+    if (!(slope < -quadratic)) {
+      if (slope < 0) x += step;
       return;
     }
     double length = 1;
-    while (length > 1e-10 && !(f(x + length * step, Of::value).value <= at.value + 0.1 * length * slope)) length /= 2;
+    while (length > shortest && !(f(x + length * step, Of::value).value <= at.value + 0.1 * length * slope))
+      length /= 2;
     x += length * step;
   }
 }

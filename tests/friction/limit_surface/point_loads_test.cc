@@ -298,7 +298,7 @@ TEST(PointLoadAlone, HasNoLimitSurface) {
 TEST(LimitSurfaceFarOff, IsRefusedWhereRoundingLeavesNoMoment) {
   EXPECT_NO_THROW(LimitSurface(Placed(HertzDisc::of_radius(1e-3), 1e9, 0)));
   EXPECT_THAT([] { LimitSurface(Placed(HertzDisc::of_radius(1e-3), 1.5e12, 0)); },
-              ThrowsMessage<std::invalid_argument>(::testing::StartsWith("centroid = (1500000000000, 0) m is not")));
+              ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("moment about the centre of pressure = ")));
 }
 
 TEST(RingLoad, WithThePoleOnItConverges) {
