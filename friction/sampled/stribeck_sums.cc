@@ -11,7 +11,6 @@ namespace patchgrip::friction::kernels {
 namespace {
 
 constexpr double unit = 0x1p-53;
-constexpr double negligible = 1e-18;  // of the stress, against its highest
 
 // rho^(-points) exp(kappa^2 (rho - 1/rho)^2 / 4) at the best of some rho up to `most`.
 double decay(double most, int points, double kappa) noexcept {

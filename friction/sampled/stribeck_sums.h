@@ -4,8 +4,8 @@
 //
 //     p exp(-|u_P|^2) u_P / |u_P|,    u_P = (u_x - u_w y, u_y + u_w x)
 //
-// A piece far from the pole against its size, and small against 1 / u_w, is summed at n^2 Gauss points of its triangles;
-// with rho the ellipse of convergence up to the pole and kappa = u_w size / 2 they err by about
+// A piece far from the pole against its size, and small against 1 / u_w, is summed at n^2 Gauss points of its
+// triangles; with rho the ellipse of convergence up to the pole and kappa = u_w size / 2 they err by about
 //
 //     16 rho^(-2n) exp(kappa^2 (rho - 1/rho)^2 / 4)       at the best rho
 //
@@ -23,6 +23,9 @@
 #include <patchgrip/friction/twist.h>
 
 namespace patchgrip::friction::kernels {
+
+// exp(-u^2) below this, at speeds of 6.4 v_S and more, is not summed but counts as error.
+inline constexpr double negligible = 1e-18;
 
 // Force and moment about the frame's origin, with their errors. Of many terms: what each addition rounds off is kept.
 class StribeckSums {
