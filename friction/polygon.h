@@ -15,7 +15,7 @@
 // Units    vertices [m] in the contact frame; the moment is about its origin.
 // Error    force <= 1e-13 of mu F_N, moment <= 1e-13 of mu F_N a_K for aspect ratios up to 100 and an origin within
 //          the patch; the moment of far poles <= 1e-12 of itself. bounded_gradient() carries the bound of each case:
-//          `bounds_test`.
+//          `bounds --kind polygon`.
 // Throws   std::invalid_argument, naming ring and vertices, where the domain is left.
 #pragma once
 

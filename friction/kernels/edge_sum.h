@@ -17,7 +17,7 @@
 //
 // Error   with u the unit of rounding of Real and m = (|t1| d1 + |t0| d0 + |h^2 L|) / 2 + d0 d1 of an edge: A |grad
 //         S| to 5 u sum m, A S to (4/9) u sum (3 |h| m + 2 d0 |J|). The constants are fitted, not proved:
-//         `bounds_test`.
+//         `bounds --kind polygon`.
 #pragma once
 
 #include <cmath>

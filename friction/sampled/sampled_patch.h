@@ -12,7 +12,7 @@
 //
 // Domain   every pole, also on nodes, edges and corners, and at infinity (w = 0).
 // Error    carried by bounded_gradient(): about 1e-14 of mu F_N for an exact patch of 400 pieces. Rough pressures on
-//          many pieces lose digits (corner_sums.h, edge_jumps.h). sampled_bounds_test.cc, sampled_tree_test.cc.
+//          many pieces lose digits (corner_sums.h, edge_jumps.h). `bounds --kind sampled_grid`, sampled_tree_test.cc.
 #pragma once
 
 #include <memory>

@@ -108,8 +108,8 @@ inline LocalExcess about_origin(LocalExcess g, Long X, Long Y) {
   return g;
 }
 
-// A line load on the ellipse, uniform in the eccentric angle: a ring if round. Cut at the pole's angle, in quarters from
-// there, and where the sides pass the pole: those of needles are next to it elsewhere.
+// A line load on the ellipse, uniform in the eccentric angle: a ring if round. Cut at the pole's angle, in quarters
+// from there, and where the sides pass the pole: those of needles are next to it elsewhere.
 inline LocalExcess ring_excess(Long a, Long b, const Twist& u) {
   const Long pi = std::numbers::pi_v<Long>;
   const Long pole = std::atan2(Long(u.vx) / b, -Long(u.vy) / a) + (u.w < 0 ? pi : 0);

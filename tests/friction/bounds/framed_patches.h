@@ -77,7 +77,8 @@ inline FramedPatch draw_framed_ellipse(Draw& draw, double least_aspect, double l
 inline FramedPatch draw_polygon(Draw& draw, double aspect) {
   const double size = draw.log_uniform(1e-4, 1e1);
   const double away = draw.integer(0, 2) == 0 ? 20 * size : 0;
-  const auto outer = draw_ring(draw, draw.uniform(-away, away), draw.uniform(-away, away), size, aspect, draw.angle());
+  const double x = draw.uniform(-away, away), y = draw.uniform(-away, away), turn = draw.angle();
+  const auto outer = draw_ring(draw, x, y, size, aspect, turn);
   const auto reference = std::make_shared<PolygonReference>(std::vector<std::vector<kernels::Vertex>>{vertices(outer)});
   const Polygon patch = Polygon::uniform(outer);
   const PressureMoments s = patch.moments();

@@ -4,10 +4,8 @@
 
 #include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/local_stribeck.h>
-#include <patchgrip/friction/power_disc.h>
 #include <patchgrip/friction/ring.h>
 #include <patchgrip/tests/friction/bounds/kind.h>
-#include <patchgrip/tests/friction/bounds/polygon_ring.h>
 #include <patchgrip/tests/friction/local_motions.h>
 #include <patchgrip/tests/friction/local_reference.h>
 
@@ -48,13 +46,16 @@ Case line(Draw& draw) {
 
 }  // namespace
 
+// Errors of the moment are judged against the size of the patch, however small it is far from the pole.
 Kinds local_kinds() {
-  return {{"local_ring", ring},
-          {"local_line", line},
-          {"local_power_disc", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1, 1); }},
-          {"local_power_ellipse", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1, 10); }},
-          {"local_needle_rim", [](Draw& draw) { return power_ellipse(draw, -0.5, 1e3, 1e6); }},
-          {"local_needle", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1e3, 1e6); }}};
+  Kinds kinds{{"local_ring", ring},
+              {"local_line", line},
+              {"local_power_disc", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1, 1); }},
+              {"local_power_ellipse", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1, 10); }},
+              {"local_needle_rim", [](Draw& draw) { return power_ellipse(draw, -0.5, 1e3, 1e6); }},
+              {"local_needle", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1e3, 1e6); }}};
+  for (Kind& kind : kinds) kind.tight = false;
+  return kinds;
 }
 
 }  // namespace patchgrip::friction::bounds

@@ -46,7 +46,8 @@ Case rectangle(Draw& draw, double least_aspect, double largest_aspect) {
 Case polygon(Draw& draw, double aspect) {
   const double size = draw.log_uniform(1e-4, 1e1);
   const double away = draw.integer(0, 2) == 0 ? 20 * size : 0;
-  const auto outer = draw_ring(draw, draw.uniform(-away, away), draw.uniform(-away, away), size, aspect, draw.angle());
+  const double x = draw.uniform(-away, away), y = draw.uniform(-away, away), turn = draw.angle();
+  const auto outer = draw_ring(draw, x, y, size, aspect, turn);
   return polygon_case(draw, Polygon::uniform(outer), {vertices(outer)});
 }
 
