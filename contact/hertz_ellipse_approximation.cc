@@ -19,8 +19,8 @@ HertzEllipseApproximation HertzEllipseApproximation::under_force(double normal_f
   const double root_of_ratio = std::cbrt(q);                                         // sqrt(b / a)
   const double pressure = 1.5 * normal_force / (std::numbers::pi * mean * mean);
 
-  // What is left at the circle is rounding: of p_0 at most 16 units of 2^-53, half of that from the cube roots.
-  constexpr double rounding = 2e-15;
+  // What is left at the circle is rounding: of p_0, the most of all, half of it from the cube roots.
+  constexpr double rounding = 16 * 0x1p-53;
   const double L2 = std::log(q) * std::log(q);
   const double ratio = rounding + 0.0031 * L2 * std::sqrt(L2) / (1 + 0.04 * L2);
   const double area = rounding + 3.9e-4 * L2 * L2 / (1 + 0.1 * L2 + 3e-4 * L2 * L2);

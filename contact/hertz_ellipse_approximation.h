@@ -13,8 +13,8 @@
 //              a b     too large by at most  3.9e-4 L^4 / (1 + 0.1 L^2 + 3e-4 L^4)   (9e-5, 0.7 %); p_0 is too small
 //                      by that
 //              delta   too small by at most  0.014 L^2 / (1 + 0.074 L^2 + 1e-4 L^4)  (0.7 %, 5.4 %)
-//          each plus 2e-15 of rounding. These bounds are at most 1.2 times the measured error for L > 0.1; members
-//          *_error carry them to the results; tests/contact/hertz_ellipse_approximation_test.cc.
+//          each plus 16 units of 2^-53 of rounding. These bounds are at most 1.2 times the measured error for
+//          L > 0.1; members *_error carry them to the results; tests/contact/hertz_ellipse_approximation_test.cc.
 // Throws   std::invalid_argument, naming the parameter, outside the domain.
 #pragma once
 
