@@ -101,8 +101,8 @@ class PowerProfile {
     using std::ceil;
     using std::sqrt;
     const Real rho = r / a;
-    const Real rho2 = rho * rho;
-    const Real w = (a - r) / a * ((a + r) / a);  // 1 - rho^2
+    const Real w = (a - r) / a * ((a + r) / a);             // 1 - rho^2
+    const Real rho2 = 4 * w < 1 ? Real(1 - w) : rho * rho;  // near the rim every step counts its rounding
     const Real root = sqrt(w);
     const int steps = exponent_ > 2 ? static_cast<int>(ceil(exponent_ / 2 - 1)) : 0;
     if (steps > 0 && rho < std::numeric_limits<Real>::epsilon() / 8) return 1 / (Real(exponent_) - 1);
