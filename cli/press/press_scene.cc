@@ -254,6 +254,7 @@ PressScene read_press_scene(const TomlDocument& document, const MaterialLibrary&
 
   auto static_load = read_static_load(contact, adhesion.has_value());
   std::variant<StaticLoad, TimedLoad> load;
+  bool load_is_swept = false;
   if (scene.has("load")) {
     if (static_load)
       contact.refuse_table("the load is under [load]: no 'normal_force', 'approach' or 'contact_radius' here");
@@ -263,6 +264,7 @@ PressScene read_press_scene(const TomlDocument& document, const MaterialLibrary&
     load = *static_load;
   } else if (sweep && sweep->kind <= SweepKind::contact_radius) {
     load = StaticLoad{static_cast<LoadKind>(sweep->kind), sweep->values[0], sweep->place};
+    load_is_swept = true;
   } else {
     contact.refuse_table("needs 'normal_force', 'approach' or 'contact_radius', or a table [load]");
   }
@@ -272,6 +274,7 @@ PressScene read_press_scene(const TomlDocument& document, const MaterialLibrary&
                    std::move(described.subject),
                    std::move(described.place),
                    std::move(load),
+                   load_is_swept,
                    adhesion,
                    std::nullopt,
                    scene.has("profile") ? read_profile(scene) : ProfileRequest{},

@@ -89,6 +89,7 @@ struct PressScene {
   Subject subject;
   Place subject_place;
   std::variant<StaticLoad, TimedLoad> load;
+  bool load_is_swept;  // `load` is the first value of the sweep
   std::optional<Adhesion> adhesion;
   std::optional<double> mu;  // coefficient of friction at rest
   ProfileRequest profile;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/scene/scene_error.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -64,18 +66,28 @@ Table surface_table(const PressScene& scene, const Pressed& pressed) {
   return table;
 }
 
-Table sweep_table(const PressScene& scene) {
+Table sweep_table(const PressScene& scene, std::vector<std::string>& warnings) {
   constexpr std::array<const char*, 5> names{"given_normal_force_N", "given_approach_m", "given_contact_radius_m",
                                              "given_radii_ratio", "given_mu"};
   Table table{{names[static_cast<std::size_t>(scene.sweep->kind)]}, {}};
-  for (std::size_t i = 0; i < scene.sweep->values.size(); ++i) {
+  const std::size_t values = scene.sweep->values.size();
+  std::optional<SceneError> first;
+  std::size_t without = 0;
+  for (std::size_t i = 0; i < values; ++i) {
     InterruptGuard::check();
-    const double value = scene.sweep->values[i];
-    const Answer answer = press(at_sweep_value(scene, i)).answer;
-    std::vector<double> row{value};
-    add_law(table, row, answer.main, "");
-    for (const LawAnswer& law : answer.beside) add_law(table, row, law, law.law + "_");
+    std::vector<double> row{scene.sweep->values[i]};
+    try {
+      const Answer answer = press(at_sweep_value(scene, i)).answer;
+      add_law(table, row, answer.main, "");
+      for (const LawAnswer& law : answer.beside) add_law(table, row, law, law.law + "_");
+    } catch (const SceneError& error) {
+      if (++without == 1) first = error;
+    }
     table.rows.push_back(std::move(row));
+  }
+  if (without == values) throw *first;
+  if (without > 0) {
+    warnings.push_back(fmt::format("no answer at {} of {} values; the first: {}", without, values, first->what()));
   }
   for (auto& row : table.rows) row.resize(table.columns.size(), not_known);
   return table;

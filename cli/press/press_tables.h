@@ -1,6 +1,9 @@
 // Tables that `patchgrip press` writes: the surface along a line, or the answers of a sweep.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <patchgrip/cli/press/press_scene.h>
 #include <patchgrip/cli/press/pressed.h>
 #include <patchgrip/cli/table.h>
@@ -11,7 +14,9 @@ namespace patchgrip::cli {
 // every cell, unless the scene asks for a line.
 Table surface_table(const PressScene& scene, const Pressed& pressed);
 
-// The swept quantity, then every quantity of the answer with its error, then those of the laws beside.
-Table sweep_table(const PressScene& scene);
+// The swept quantity, then every quantity of the answer with its error, then those of the laws beside. A value that has
+// no answer (a pull beyond the pull-off) leaves the rest of its row empty, and a warning says how many are so and why
+// the first is. Throws SceneError where no value has an answer: what was wrong with the first.
+Table sweep_table(const PressScene& scene, std::vector<std::string>& warnings);
 
 }  // namespace patchgrip::cli

@@ -36,16 +36,32 @@ Written written_over_time(const PressFiles& files, const PressScene& scene) {
   return {to_json(pressed.answer, files.scene, scene.title, scene.notes), to_csv(pressed.table, head)};
 }
 
+// At the load of the scene; where that is swept, at the first value that has an answer.
+Pressed press_or_first(const PressScene& scene) {
+  if (!scene.load_is_swept) return press(scene);
+  std::optional<SceneError> first;
+  for (std::size_t i = 0; i < scene.sweep->values.size(); ++i) {
+    try {
+      return press(at_sweep_value(scene, i));
+    } catch (const SceneError& error) {
+      if (!first) first = error;
+    }
+  }
+  throw *first;
+}
+
 Written written(const PressFiles& files, const PressScene& scene) {
   if (std::holds_alternative<TimedLoad>(scene.load)) return written_over_time(files, scene);
-  const Pressed pressed = press(scene);
-  Written result{to_json(pressed.answer, files.scene, scene.title, scene.notes), {}};
-  if (files.table.empty()) return result;
-  const bool sweeps = scene.sweep.has_value();
-  const Table table = sweeps ? sweep_table(scene) : surface_table(scene, pressed);
-  auto head = head_of(files, scene, sweeps ? "answers over a sweep" : "pressure and displacement along a line");
-  head.push_back("law: " + pressed.answer.main.law);
-  result.csv = to_csv(table, head);
+  Pressed pressed = press_or_first(scene);
+  Written result;
+  if (!files.table.empty()) {
+    const bool sweeps = scene.sweep.has_value();
+    const Table table = sweeps ? sweep_table(scene, pressed.answer.warnings) : surface_table(scene, pressed);
+    auto head = head_of(files, scene, sweeps ? "answers over a sweep" : "pressure and displacement along a line");
+    head.push_back("law: " + pressed.answer.main.law);
+    result.csv = to_csv(table, head);
+  }
+  result.json = to_json(pressed.answer, files.scene, scene.title, scene.notes);
   return result;
 }
 

@@ -10,12 +10,15 @@
 #include <string_view>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "press_bounds.h"
 
 namespace patchgrip::cli {
 namespace {
+
+using ::testing::HasSubstr;
 
 using namespace test;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -139,6 +142,21 @@ TEST(PressJkr, JkrDisplacementAroundTheRim) {
       }
     }
   }
+}
+
+TEST(PressJkr, SweepBeyondThePullOffLeavesCellsEmpty) {
+  const PressScene scene = press_scene(adhesive("") + "[sweep]\nnormal_force = [-1, -5e-3, -4e-3, 0, 1]\n");
+  std::vector<std::string> warnings;
+  const Table table = sweep_table(scene, warnings);
+  ASSERT_EQ(table.rows.size(), 5U);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    ASSERT_EQ(table.rows[i].size(), table.columns.size());
+    EXPECT_EQ(std::isnan(table.rows[i][column(table, "contact_radius_m")]), i < 2);
+    EXPECT_EQ(table.rows[i][0], scene.sweep->values[i]);
+  }
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings.front(), HasSubstr("no answer at 2 of 5 values; the first: "));
+  EXPECT_THAT(warnings.front(), HasSubstr("sweep.normal_force[0] = -1: normal_force = -1 is not allowed"));
 }
 
 }  // namespace

@@ -49,8 +49,9 @@ inline Answered answered(const PressScene& scene) {
     PressedOverTime pressed = press_over_time(scene);
     return {std::move(pressed.answer), std::move(pressed.table)};
   }
-  const Pressed pressed = press(scene);
-  return {pressed.answer, scene.sweep ? sweep_table(scene) : surface_table(scene, pressed)};
+  Pressed pressed = press(scene);
+  Table table = scene.sweep ? sweep_table(scene, pressed.answer.warnings) : surface_table(scene, pressed);
+  return {std::move(pressed.answer), std::move(table)};
 }
 
 inline bool has(const LawAnswer& law, std::string_view name) {

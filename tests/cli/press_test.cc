@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -130,7 +131,9 @@ TEST(Press, SurfaceTouchesTheStampInsideAndLeavesItOutside) {
 
 TEST(Press, AdhesiveSweepPassesThePullOff) {
   const PressScene scene = committed("figure_4_13");
-  const Table table = sweep_table(scene);
+  std::vector<std::string> warnings;
+  const Table table = sweep_table(scene, warnings);
+  EXPECT_TRUE(warnings.empty());
   const std::size_t force = column(table, "normal_force_N");
   const double pull_off = value(press(scene).answer.main, "pull_off_force");
   EXPECT_NEAR(pull_off / (-1.5 * std::numbers::pi * 0.096 * 0.01), 1, 1e-15);  // Example 4.6: -0.45 N/m R
