@@ -16,7 +16,6 @@
 #include <cmath>
 #include <concepts>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <numbers>
@@ -24,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include <patchgrip/bench/command_line.h>
 #include <patchgrip/bench/gauge_patches.h>
 #include <patchgrip/friction/limit_surface/ellipsoid_gauge.h>
 #include <patchgrip/friction/limit_surface/fast_hertz_gauge.h>
@@ -244,21 +244,14 @@ bool wrote(const std::string& path, const Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string output, sides;
-  int repetitions = 200;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--output") == 0 && i + 1 < argc) {
-      output = argv[++i];
-    } else if (std::strcmp(argv[i], "--sides") == 0 && i + 1 < argc) {
-      sides = argv[++i];
-    } else if (std::strcmp(argv[i], "--short") == 0) {
-      repetitions = 30;
-    } else {
-      std::cerr << "cheap_gauge: unknown option " << argv[i] << "; known are --output CSV, --sides CSV and --short\n";
-      return 2;
-    }
-  }
-  const std::vector<Row> rows = measure(repetitions);
+  patchgrip::bench::CommandLine line("cheap_gauge", "Gauge of a load: time and error of every method.",
+                                     "repeat each measurement fewer times");
+  std::string sides;
+  line.app
+      .add_option("--sides", sides, "CSV file to write the signed errors of the cheap methods to, over the direction")
+      ->type_name("FILE");
+  line.read(argc, argv);
+  const std::vector<Row> rows = measure(line.is_short ? 30 : 200);
   print(std::cout, rows);
-  return wrote(output, rows) && wrote(sides, sides_of_all()) ? EXIT_SUCCESS : EXIT_FAILURE;
+  return wrote(line.output, rows) && wrote(sides, sides_of_all()) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -14,14 +14,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <functional>
-#include <iostream>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include <patchgrip/bench/command_line.h>
 #include <patchgrip/contact/creep/growing_contact.h>
 #include <patchgrip/contact/creep/press_under_force.h>
 #include <patchgrip/contact/creep/seed_creep.h>
@@ -89,18 +88,10 @@ double fastest_us(const Method& method, double t, int repetitions) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string output;
-  int repetitions = 9;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--output") == 0 && i + 1 < argc) {
-      output = argv[++i];
-    } else if (std::strcmp(argv[i], "--short") == 0) {
-      repetitions = 3;
-    } else {
-      std::cerr << "creep: unknown option " << argv[i] << "; known are --output CSV and --short\n";
-      return 2;
-    }
-  }
+  patchgrip::bench::CommandLine line("creep", "Viscoelastic press: time and error of every method.",
+                                     "repeat each measurement fewer times");
+  line.read(argc, argv);
+  const int repetitions = line.is_short ? 3 : 9;
 
   const auto ball = Paraboloid::of_radius(0.02);
   const auto creep =
@@ -153,8 +144,8 @@ int main(int argc, char** argv) {
   fmt::print("\n1000 steps: all of the past again / internal variables = {:.0f} times the time\n",
              time_of("growing_convolution", 1000) / time_of("growing_contact", 1000));
 
-  if (!output.empty()) {
-    std::ofstream file(output);
+  if (!line.output.empty()) {
+    std::ofstream file(line.output);
     fmt::print(file, "# patchgrip {} creep\n", patchgrip::version);
     fmt::print(file, "# us: fastest of several repetitions; error: of the approach, relative\n");
     fmt::print(file, "method,parameter,t,us,error\n");

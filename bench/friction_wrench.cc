@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include <patchgrip/bench/batch_cases.h>
+#include <patchgrip/bench/command_line.h>
 #include <patchgrip/bench/hertz_cases.h>
 #include <patchgrip/bench/patch_cases.h>
 #include <patchgrip/bench/report.h>
@@ -33,33 +33,31 @@ struct Options {
   std::string output;
 };
 
-// Takes Google Benchmark's own options, which go behind defaults of ours, then the rest.
+// What is not an option of ours is one of Google Benchmark's, and goes behind defaults of ours.
 Options parse(int argc, char** argv) {
-  const bool is_short = std::any_of(argv, argv + argc, [](const char* a) { return std::strcmp(a, "--short") == 0; });
+  Options options;
+  patchgrip::bench::CommandLine line("friction_wrench",
+                                     "Friction force and moment against the pole: time and error of every method.",
+                                     "only what the chart of error against time needs, and less often");
+  line.app.add_flag("--patches", options.patches, "the methods that work on every patch, in place of the rest");
+  line.app.footer("Options --benchmark_... go to Google Benchmark.");
+  line.app.allow_extras();
+  line.read(argc, argv);
+  options.is_short = line.is_short;
+  options.output = line.output;
+
   std::vector<std::string> words{argv[0], "--benchmark_enable_random_interleaving=true",
-                                 is_short ? "--benchmark_repetitions=5" : "--benchmark_repetitions=15",
-                                 is_short ? "--benchmark_min_time=0.005" : "--benchmark_min_time=0.02"};
-  words.insert(words.end(), argv + 1, argv + argc);
+                                 line.is_short ? "--benchmark_repetitions=5" : "--benchmark_repetitions=15",
+                                 line.is_short ? "--benchmark_min_time=0.005" : "--benchmark_min_time=0.02"};
+  const std::vector<std::string> others = line.app.remaining();
+  words.insert(words.end(), others.begin(), others.end());
   std::vector<char*> pointers;
   pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   int count = static_cast<int>(pointers.size());
   pointers.push_back(nullptr);
   benchmark::Initialize(&count, pointers.data());
-
-  Options options{is_short, false, {}};
-  for (int i = 1; i < count; ++i) {
-    const std::string word = pointers[static_cast<std::size_t>(i)];
-    if (word == "--output" && i + 1 < count) {
-      options.output = pointers[static_cast<std::size_t>(++i)];
-    } else if (word == "--patches") {
-      options.patches = true;
-    } else if (word != "--short") {
-      std::cerr << "friction_wrench: unknown option " << word
-                << "; known are --output CSV, --short, --patches and --benchmark_...\n";
-      std::exit(2);
-    }
-  }
+  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) std::exit(2);
   return options;
 }
 

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <functional>
@@ -21,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include <patchgrip/bench/command_line.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/limit_surface/fast_hertz_gauge.h>
 #include <patchgrip/friction/limit_surface/hertz_gauge.h>
@@ -206,19 +206,12 @@ void print_patches(const Options& options, std::ostream* csv) {
 
 Options parse(int argc, char** argv) {
   Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--output" && i + 1 < argc) {
-      options.output = argv[++i];
-    } else if (word == "--loads" && i + 1 < argc && std::atoi(argv[i + 1]) > 0) {
-      options.loads = std::atoi(argv[++i]);
-    } else if (word == "--short") {
-      options.repetitions = 10;
-    } else {
-      fmt::print(std::cerr, "gauge [--output CSV] [--loads N] [--short]: '{}' is not one of these\n", word);
-      std::exit(2);
-    }
-  }
+  patchgrip::bench::CommandLine line("gauge", "Gauge of a load: time of every method, and what it takes on any patch.",
+                                     "repeat each measurement fewer times");
+  line.app.add_option("--loads", options.loads, "loads a patch")->check(CLI::PositiveNumber)->capture_default_str();
+  line.read(argc, argv);
+  options.output = line.output;
+  if (line.is_short) options.repetitions = 10;
   return options;
 }
 

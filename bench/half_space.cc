@@ -26,6 +26,7 @@
 #include <thread>
 #include <vector>
 
+#include <patchgrip/bench/command_line.h>
 #include <patchgrip/contact/half_space/press.h>
 #include <patchgrip/tests/contact/half_space_shapes.h>
 
@@ -337,32 +338,22 @@ bool write_csv(const std::string& path, const std::vector<Row>& rows) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool is_short = false;
-  std::string output;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--output" && i + 1 < argc) {
-      output = argv[++i];
-    } else if (word == "--short") {
-      is_short = true;
-    } else {
-      std::cerr << "half_space: unknown option " << word << "; known are --output CSV and --short\n";
-      return 2;
-    }
-  }
+  patchgrip::bench::CommandLine line("half_space", "Numerical half-space: time, memory and error against its targets.",
+                                     "print nothing and leave out the hard cases: for --output");
+  line.read(argc, argv);
 
   const std::vector<int> sizes{64, 128, 256, 512, 1024};
   std::vector<double> memory;  // first, while this process is small
   for (const int cells : sizes) memory.push_back(memory_per_cell(cells));
   std::vector<Row> rows;
   for (std::size_t k = 0; k < sizes.size(); ++k)
-    rows.push_back(measure(sizes[k], memory[k], is_short ? 2 : sizes[k] > 300 ? 6 : 20));
-  if (!is_short) {
+    rows.push_back(measure(sizes[k], memory[k], line.is_short ? 2 : sizes[k] > 300 ? 6 : 20));
+  if (!line.is_short) {
     print_hertz(rows);
     print_hard_cases();
   }
-  if (!output.empty() && !write_csv(output, rows)) {
-    std::cerr << "half_space: cannot write " << output << '\n';
+  if (!line.output.empty() && !write_csv(line.output, rows)) {
+    std::cerr << "half_space: cannot write " << line.output << '\n';
     return 1;
   }
 }

@@ -11,11 +11,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
-#include <iostream>
 #include <string>
 
+#include <patchgrip/bench/command_line.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/local_stribeck.h>
@@ -85,23 +84,17 @@ void report(const char* name, const P& patch, std::ostream* table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string output;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--output") == 0 && i + 1 < argc) {
-      output = argv[++i];
-    } else {
-      std::cerr << "local_stribeck: unknown option " << argv[i] << "; known is --output CSV\n";
-      return 2;
-    }
-  }
+  patchgrip::bench::CommandLine line("local_stribeck",
+                                     "Stribeck's law at each point and in the mean: how far they are apart.");
+  line.read(argc, argv);
   std::ofstream file;
-  if (!output.empty()) {
-    file.open(output);
+  if (!line.output.empty()) {
+    file.open(line.output);
     fmt::print(file, "# patchgrip {} local_stribeck\n", patchgrip::version);
     fmt::print(file, "# |local - mean| per (mu_s - mu_k) F_N; lengths in radii or half long sides\n");
     fmt::print(file, "patch,pole,v_m_over_v_S,force,moment\n");
   }
-  std::ostream* const table = output.empty() ? nullptr : &file;
+  std::ostream* const table = line.output.empty() ? nullptr : &file;
   report("hertz_disc", HertzDisc::of_radius(1), table);
   report("hertz_ellipse_3_1", HertzEllipse::of_semi_axes(1, 1. / 3), table);
   report("rectangle_4_1", Rectangle::of_sides(2, 0.5), table);

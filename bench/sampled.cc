@@ -9,16 +9,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <patchgrip/bench/command_line.h>
 #include <patchgrip/bench/naive_sum.h>
 #include <patchgrip/friction/sampled/grid_pieces.h>
 #include <patchgrip/friction/sampled/pressure_grid.h>
@@ -225,22 +224,13 @@ void growth(Bench& bench, bool brief) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  bool brief = false;
-  std::optional<std::string> output;
-  for (int i = 1; i < count; ++i) {
-    if (std::strcmp(arguments[i], "--short") == 0) {
-      brief = true;
-    } else if (std::strcmp(arguments[i], "--output") == 0 && i + 1 < count) {
-      output = arguments[++i];
-    } else {
-      fmt::print(stderr, "usage: sampled [--short] [--output CSV]\n");
-      return 2;
-    }
-  }
-  Bench bench(brief);
+int main(int argc, char** argv) {
+  patchgrip::bench::CommandLine line("sampled", "Sampled pressures: time and error against the number of cells.",
+                                     "fewer cells, and each measurement less often");
+  line.read(argc, argv);
+  Bench bench(line.is_short);
   against_naive(bench);
-  growth(bench, brief);
-  if (output) bench.save(*output);
+  growth(bench, line.is_short);
+  if (!line.output.empty()) bench.save(line.output);
   return 0;
 }

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include <patchgrip/bench/command_line.h>
 #include <patchgrip/contact/axisymmetric.h>
 #include <patchgrip/contact/half_space/press.h>
 #include <patchgrip/contact/power_sum.h>
@@ -126,10 +127,8 @@ std::vector<Row> measure(double ratio) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string output;
-  for (int i = 1; i + 1 < argc; ++i) {
-    if (std::string_view(argv[i]) == "--output") output = argv[i + 1];
-  }
+  patchgrip::bench::CommandLine line("sphere", "Sphere on a half-space: time and error of every model.");
+  line.read(argc, argv);
   std::string csv = "method,parameter,a_over_R,ns,error_force,error_pressure\n";
   for (const double ratio : {0.1, 0.5, 0.9}) {
     const auto rows = measure(ratio);
@@ -142,6 +141,6 @@ int main(int argc, char** argv) {
                          r.pressure_error);
     }
   }
-  if (!output.empty()) std::ofstream(output) << csv;
+  if (!line.output.empty()) std::ofstream(line.output) << csv;
   return 0;
 }
