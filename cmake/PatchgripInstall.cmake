@@ -13,6 +13,9 @@ install(FILES ${PATCHGRIP_GENERATED_DIR}/patchgrip/version.h DESTINATION ${CMAKE
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY data/scenes data/materials DESTINATION ${CMAKE_INSTALL_DATADIR}/patchgrip)
 
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return() # the package is that of the project above
+endif()
 set(CPACK_PACKAGE_CONTACT "patchgrip maintainers <patchgrip@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)

@@ -6,10 +6,10 @@
 // error). Regions: near (the pole within two radii of the patch's centre) and far (up to 1e8 radii). Exit code 1 if any
 // bound is broken, if a median slack is not below 100 near and 200 far where bounds are to be tight, or if 50 digits do
 // not tell in more than 1 % of the cases.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <utility>
@@ -82,20 +82,15 @@ int main(int argc, char** argv) {
   long cases = 2000;
   unsigned seed = 1;
   std::string only;
-  for (int i = 1; i < argc; i += 2) {
-    const std::string option = argv[i];
-    const char* value = i + 1 < argc ? argv[i + 1] : "";
-    if (option == "--kind") {
-      only = value;
-    } else if (option == "--cases" && std::atol(value) > 0) {
-      cases = std::atol(value);
-    } else if (option == "--seed" && std::atol(value) > 0) {
-      seed = static_cast<unsigned>(std::atol(value));
-    } else {
-      std::fprintf(stderr, "bounds [--cases N] [--seed S] [--kind NAME]: '%s %s' is not one of these\n", argv[i],
-                   value);
-      return 2;
-    }
+  CLI::App app("Do the printed error bounds of friction and gauges hold? Random cases against 50 digits.", "bounds");
+  app.footer("Exit code 1 if a bound is broken or too loose in the median, or if 50 digits do not tell.");
+  app.add_option("--cases", cases, "cases a kind")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--seed", seed, "of the random cases")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--kind", only, "one kind alone")->type_name("NAME");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
   }
   std::printf("%ld cases a kind, seed %u\n", cases, seed);
   bool good = true;
