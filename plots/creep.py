@@ -31,6 +31,7 @@ def draw(axes, measured, t, title):
     axes.axhline(ROUNDING, color=GREY, linewidth=0.8, linestyle="--")
     for method, (name, colour, marker) in METHODS.items():
         time, error = zip(*measured[method, t])
+        error = [max(e, ROUNDING) for e in error]  # less says nothing more
         axes.loglog(time, error, marker=marker, markersize=8 if marker == "*" else 4.5, linewidth=1, color=colour, label=name)
     axes.set_xlabel("time [µs]")
     axes.set_title(title, loc="left")
@@ -42,7 +43,7 @@ def main():
     figure, (grows, shrinks) = plt.subplots(1, 2, sharex=True, sharey=True, figsize=(style.PAGE, 3.6))
     draw(grows, measured, "0.4", "contact grows: relative error of the approach [-]")
     draw(shrinks, measured, "0.9", "contact shrinks")
-    grows.text(0.97, ROUNDING / 1.7, r"rounding, $2^{-53}$", ha="right", va="top", color=GREY,
+    grows.text(0.97, ROUNDING / 2, r"rounding, $2^{-53}$, or less", ha="right", va="top", color=GREY,
                transform=grows.get_yaxis_transform())
     grows.set_ylim(1e-18, 3)
     handles, labels = grows.get_legend_handles_labels()

@@ -17,8 +17,9 @@ def main():
 
     figure, (approaches, displacements, pressures) = plt.subplots(1, 3, figsize=(style.PAGE, 2.6))
     approaches.plot(t, delta, color=BLUE, label="exact (Lee, Radok)")
-    approaches.plot(t, seed, color=RED, linestyle="--", linewidth=1, label="(4.28)")
-    approaches.plot(t, printed, color=ORANGE, linestyle="--", linewidth=1, label="(4.72) as printed,\n$\\delta(0) = 0$")
+    approaches.plot(t, seed, color=RED, linestyle="--", linewidth=1,
+                    label="Keppler's relation (4.28),\nlinear in $F^{2/3}$")
+    approaches.plot(t, printed, color=ORANGE, linestyle="--", linewidth=1, label="his rate form (4.72),\n$\\delta(0) = 0$")
     approaches.set_xlabel("time [s]")
     approaches.set_ylabel(r"approach $\delta$ [mm]")
     approaches.set_xlim(0, t[-1])

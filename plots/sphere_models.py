@@ -21,17 +21,18 @@ def main():
         for method, (name, colour, marker) in METHODS.items():
             of_method = [row for row in rows if row["method"] == method and float(row["a_over_R"]) == ratio]
             time = [float(row["ns"]) for row in of_method]
-            error = [max(float(row["error_force"]), ROUNDING / 4) for row in of_method]
+            error = [max(float(row["error_force"]), ROUNDING) for row in of_method]  # less says nothing more
             axes.loglog(time, error, color=colour, marker=marker, markersize=8 if marker == "*" else 4, linewidth=1,
                         linestyle="" if marker == "*" else "-", label=name)
             if method != "closed form":
-                for i, offset in ((0, (4, 4)), (-1, (6, 2))):
+                last = ((-6, 0), "right") if method == "series" else ((6, 0), "left")
+                for i, (offset, side), height in ((0, ((4, 4), "left"), "baseline"), (-1, last, "center")):
                     axes.annotate(of_method[i]["parameter"], (time[i], error[i]), xytext=offset, textcoords="offset points",
-                                  color=colour)
+                                  color=colour, ha=side, va=height)
         axes.set_title(f"$a_K / R = {ratio:g}$", loc="left")
         axes.set_xlabel("time of a contact [ns]")
     panels[0].set_ylabel("relative error of the force [-]")
-    panels[-1].text(0.97, 1.5 * ROUNDING, r"rounding, $2^{-53}$", color=GREY, ha="right", va="bottom",
+    panels[-1].text(0.97, 2 * ROUNDING, r"rounding, $2^{-53}$, or less", color=GREY, ha="right", va="bottom",
                     transform=panels[-1].get_yaxis_transform())
     figure.get_layout_engine().set(rect=(0, 0.1, 1, 0.9))
     figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncols=3)
