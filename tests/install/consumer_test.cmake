@@ -30,6 +30,6 @@ endfunction()
 # mu F_N f(1/sqrt 2) / sqrt 2 and mu F_N m(1/sqrt 2), from the polynomials of the Hertz disc.
 set(error "[0-9.e-]+")
 expect(grip "force \\(-0\\.618501, 0\\.618501\\) N \\+- ${error}\nmoment -0\\.000839394 N m \\+- ${error}\n")
-expect(gauge "friction must hold GAUGE N, else it slips about \\(X, Y\\) m\n")
+expect(gauge "friction must hold 5\\.24863 N, else it slips about \\(-0\\.00391836, 0\\.00384843\\) m\n")
 expect(press "contact radius 0\\.00195743 m\n")
 expect(polygon "area radius 0\\.56419 m\n")
