@@ -4,14 +4,18 @@
 
 #include <filesystem>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <patchgrip/cli/scene/csv_reader.h>
+#include <patchgrip/cli/scene/mesh_lines.h>
 #include <patchgrip/cli/scene/outline_reader.h>
 #include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/contact/triangle_mesh.h>
 #include <patchgrip/friction/any_patch.h>
+#include <patchgrip/friction/sampled/overlap.h>
 #include <patchgrip/friction/sampled/pressure_grid.h>
 #include <patchgrip/friction/sampled/pressure_mesh.h>
 #include <patchgrip/friction/sampled/scattered.h>
@@ -27,6 +31,15 @@ double read_unit(const TomlReader& table) {
 
 AnyPatch linear_between(const friction::Triangulation& mesh, const std::vector<double>& pressures) {
   return friction::PressureMesh::linear_within(friction::PressureMesh::default_tolerance, mesh, pressures);
+}
+
+// "triangle 3 (line 30 of pad.stl) with a corner in (1.5, 2)": counted from 0, in the unit of the file.
+std::string in_words(std::size_t triangle, const contact::TriangleMesh& surface, const std::filesystem::path& file) {
+  const std::size_t line = line_of_triangle(file, triangle);
+  const auto& corner = surface.vertices()[surface.triangles()[triangle][0]];
+  return fmt::format("triangle {}{} with a corner in ({}, {})", triangle,
+                     line == 0 ? "" : fmt::format(" (line {} of {})", line, printable(file.filename().string())),
+                     corner[0], corner[1]);
 }
 
 }  // namespace
@@ -54,6 +67,11 @@ DescribedPatch read_pressure_mesh(const TomlReader& table) {
     for (const auto& [x, y, p] : surface.vertices()) {
       mesh.points.push_back({unit * x, unit * y});
       pressures.push_back(p);
+    }
+    if (const auto pair = friction::overlapping_triangles(mesh)) {
+      throw std::invalid_argument(fmt::format("{} and {} lie over each other: the pressure must be one number a point",
+                                              in_words(pair->first, surface, file),
+                                              in_words(pair->second, surface, file)));
     }
     return {linear_between(mesh, pressures),
             fmt::format("pressure over the mesh {}, {} triangles", table.text("mesh"), mesh.triangles.size())};
