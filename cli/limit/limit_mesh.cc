@@ -4,6 +4,7 @@
 
 #include <patchgrip/cli/friction_row.h>
 #include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/scene/direction.h>
 
 namespace patchgrip::cli {
 
@@ -31,8 +32,8 @@ LimitMesh mesh_of(const Contact& contact, const contact::Estimate& resistance, d
     const double b = std::numbers::pi * (0.5 - static_cast<double>(i) / parallels);
     const double spin = 2 * i == parallels ? 0 : std::sin(b);
     for (int j = 0; j < meridians; ++j) {
-      const double a = 2 * std::numbers::pi * j / meridians;
-      add(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), spin);
+      const Direction a = direction_at(2 * std::numbers::pi * j / meridians);
+      add(std::cos(b) * a.x, std::cos(b) * a.y, spin);
     }
   }
   add(0, 0, -1);

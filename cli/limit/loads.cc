@@ -1,7 +1,8 @@
 #include <patchgrip/cli/limit/loads.h>
 
-#include <cmath>
 #include <utility>
+
+#include <patchgrip/cli/scene/direction.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -14,8 +15,8 @@ ForceLoads::Components force_of(const ForceLoads& set, std::size_t i) noexcept {
   if (const auto* const one = std::get_if<ForceLoads::Components>(&set.force)) return *one;
   const auto& polar = *std::get_if<ForceLoads::Polar>(&set.force);
   const double size = polar.size[i % polar.size.size()];
-  const double angle = polar.angle[i / polar.size.size()];
-  return {size * std::cos(angle), size * std::sin(angle)};
+  const Direction along = direction_at(polar.angle[i / polar.size.size()]);
+  return {size * along.x, size * along.y};
 }
 
 Wrench load_of(const ForceLoads& set, std::size_t i) noexcept {
@@ -26,10 +27,10 @@ Wrench load_of(const ForceLoads& set, std::size_t i) noexcept {
 Wrench load_of(const DirectionLoads& set, std::size_t i) noexcept {
   const double size = set.size[i % set.size.size()];
   i /= set.size.size();
-  const double theta = set.polar[i % set.polar.size()];
-  const double phi = set.azimuth[i / set.polar.size()];
-  const double force = size * std::sin(theta);
-  return {force * std::cos(phi), force * std::sin(phi), size * set.length * std::cos(theta)};
+  const Direction theta = direction_at(set.polar[i % set.polar.size()]);
+  const Direction phi = direction_at(set.azimuth[i / set.polar.size()]);
+  const double force = size * theta.y;
+  return {force * phi.x, force * phi.y, size * set.length * theta.x};
 }
 
 }  // namespace

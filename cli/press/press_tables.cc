@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/scene/direction.h>
 #include <patchgrip/cli/scene/scene_error.h>
 
 namespace patchgrip::cli {
@@ -50,12 +50,11 @@ Table surface_table(const PressScene& scene, const Pressed& pressed) {
     }
   }
   for (const PressureBeside& law : pressed.beside) table.columns.push_back("pressure_" + law.law + "_Pa");
-  const double along_x = std::cos(scene.profile.angle);
-  const double along_y = std::sin(scene.profile.angle);
+  const Direction along = direction_at(scene.profile.angle);
   for (std::size_t i = 0; i < distance.size(); ++i) {
     InterruptGuard::check();
-    const double x = distance[i] * along_x;
-    const double y = distance[i] * along_y;
+    const double x = distance[i] * along.x;
+    const double y = distance[i] * along.y;
     const SurfacePoint s = at(place, [&] { return pressed.surface(x, y); });
     auto& row = table.rows.emplace_back(std::vector{x, y, s.pressure.value, s.pressure.error});
     if (pressed.knows_displacement) {

@@ -33,8 +33,7 @@ std::size_t Directions::size() const noexcept {
 }
 
 Direction Directions::operator[](std::size_t i) const noexcept {
-  if (const auto* const angles = std::get_if<Sequence>(&directions_))
-    return {std::cos((*angles)[i]), std::sin((*angles)[i])};
+  if (const auto* const angles = std::get_if<Sequence>(&directions_)) return direction_at((*angles)[i]);
   const Direction along = (*std::get_if<std::vector<Direction>>(&directions_))[i];
   const double length = std::hypot(along.x, along.y);
   return {along.x / length, along.y / length};

@@ -18,17 +18,13 @@
 #include <variant>
 #include <vector>
 
+#include <patchgrip/cli/scene/direction.h>
 #include <patchgrip/cli/scene/sequence.h>
 #include <patchgrip/friction/twist.h>
 
 namespace patchgrip::cli {
 
-struct Direction {
-  double x;
-  double y;
-};
-
-// Unit vectors from angles [rad] against the x-axis, or along given vectors.
+// Unit vectors from angles [rad] against the x-axis (direction.h), or along given vectors.
 class Directions {
  public:
   explicit Directions(Sequence angles) : directions_(std::move(angles)) {}
@@ -59,7 +55,7 @@ struct PoleList {
 using PoleSet = std::variant<Grid, Ray, PoleList>;
 
 struct Motion {
-  friction::Pole pole;    // for a translation +-infinity or 0, the limit for w -> 0 from above
+  friction::Pole pole;    // for a translation +-infinity or 0, the limit for w -> 0 from above: signs of its direction
   int spin;               // +1, -1; 0 for a translation
   double angular_speed;   // |w| [rad/s]; 0 for a translation
   friction::Twist twist;  // exact for a translation; for a rotation vx and vy are rounded unless |w| = 1

@@ -182,6 +182,8 @@ TEST_P(KnownSurface, HoldsTheNumbersOfTheLibrary) {
       EXPECT_EQ(row["pole_y_m"], v.vx / v.w);
     } else {
       EXPECT_TRUE(std::isinf(row["pole_x_m"]) || std::isinf(row["pole_y_m"]));
+      EXPECT_EQ(std::isinf(row["pole_x_m"]), std::fabs(v.vy) > 1e-15);
+      EXPECT_EQ(std::isinf(row["pole_y_m"]), std::fabs(v.vx) > 1e-15);
       EXPECT_NEAR(std::hypot(t.fx, t.fy), 2, 1e-14);
     }
   }

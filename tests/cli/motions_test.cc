@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include <patchgrip/cli/scene/direction.h>
 #include <patchgrip/friction/twist.h>
 
 #include "scenes.h"
@@ -46,6 +48,40 @@ TEST(Motions, ManyAnglesAtOneDistanceAreACircle) {
   for (std::size_t i = 0; i < circle.size(); ++i) {
     EXPECT_NEAR(std::hypot(circle[i].pole.x, circle[i].pole.y), 0.25, 1e-16);
     EXPECT_NEAR(std::atan2(circle[i].pole.y, circle[i].pole.x), -3 + static_cast<double>(i) * 6 / 99, 1e-14);
+  }
+}
+
+// No double is pi/2; from 0 to 2 pi in eighths the multiples are rounded once more.
+TEST(Motions, TranslationsAlongTheAxesHaveTheirPolesOnTheAxes) {
+  const std::vector<std::pair<double, double>> all =
+      poles_of(motions_of("translation = { angle = { from = 0, to = 6.283185307179586, count = 9 } }"));
+  EXPECT_THAT(all, ElementsAre(Pair(0, infinity), Pair(-infinity, infinity), Pair(-infinity, 0),
+                               Pair(-infinity, -infinity), Pair(0, -infinity), Pair(infinity, -infinity),
+                               Pair(infinity, 0), Pair(infinity, infinity), Pair(0, infinity)));
+  const Motions up = motions_of("translation = { angle = [1.5707963267948966, -4.71238898038469, 1.5707963] }");
+  for (const std::size_t exact : {0U, 1U}) {
+    EXPECT_EQ(up[exact].twist.vx, 0);
+    EXPECT_EQ(up[exact].twist.vy, 1);
+  }
+  EXPECT_NEAR(up[2].twist.vx, 2.68e-8, 1e-10);  // of eight digits it is not known what they mean
+}
+
+TEST(Direction, IsCosineAndSine) {
+  for (int i = -100000; i <= 100000; ++i) {
+    const double angle = 0.01 * i;
+    const Direction along = direction_at(angle);
+    EXPECT_NEAR(along.x, std::cos(angle), 0x1p-51 * std::fabs(angle));
+    EXPECT_NEAR(along.y, std::sin(angle), 0x1p-51 * std::fabs(angle));
+  }
+  for (int quarters = -600; quarters <= 600; ++quarters) {
+    if (quarters == 0) continue;
+    const double angle = quarters * (std::numbers::pi / 2);
+    for (const double near : {angle, std::nextafter(angle, infinity), std::nextafter(angle, -infinity)}) {
+      const Direction along = direction_at(near);
+      const double sign = (quarters & 2) == 0 ? 1 : -1;
+      EXPECT_EQ(along.x, quarters % 2 == 0 ? sign : 0) << quarters;
+      EXPECT_EQ(along.y, quarters % 2 == 0 ? 0 : sign) << quarters;
+    }
   }
 }
 
