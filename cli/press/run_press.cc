@@ -57,7 +57,10 @@ Written written(const PressFiles& files, const PressScene& scene) {
   if (!files.table.empty()) {
     const bool sweeps = scene.sweep.has_value();
     const Table table = sweeps ? sweep_table(scene, pressed.answer.warnings) : surface_table(scene, pressed);
-    auto head = head_of(files, scene, sweeps ? "answers over a sweep" : "pressure and displacement along a line");
+    auto head = head_of(files, scene,
+                        sweeps                                   ? "answers over a sweep"
+                        : pressed.map && !scene.profile.distance ? "pressure over the cells of a grid"
+                                                                 : "pressure and displacement along a line");
     head.push_back("law: " + pressed.answer.main.law);
     result.csv = to_csv(table, head);
   }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -23,7 +25,8 @@ std::string_view trimmed(std::string_view text) {
 
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& file) : name_(file.string()), in_(file) {
+  Reader(const TomlReader& table, std::string_view key, std::span<const std::string_view> names)
+      : table_(table), key_(key), names_(names), in_(beside_scene(table, key)) {
     if (!in_) fail("cannot be read");
   }
 
@@ -41,40 +44,79 @@ class Reader {
 
  private:
   void read_row(std::string_view row) {
-    std::size_t columns = 0;
+    cells_.clear();
     for (bool more = true; more;) {
       const auto comma = row.find(',');
       more = comma != std::string_view::npos;
-      if (read_.numbers.size() == most_numbers) fail(fmt::format("more than {} numbers", most_numbers));
-      read_.numbers.push_back(number(trimmed(row.substr(0, comma)), ++columns));
+      cells_.push_back(trimmed(row.substr(0, comma)));
       if (more) row.remove_prefix(comma + 1);
     }
-    if (read_.lines.empty()) read_.columns = columns;
-    if (columns != read_.columns) {
-      fail(fmt::format("{} columns, but line {} has {}", columns, read_.lines.front(), read_.columns));
+    if (first_ == 0) {
+      first_ = line_;
+      width_ = cells_.size();
+      if (is_header()) return read_header();
+      for (std::size_t i = 0; i < width_; ++i) used_.push_back(i);
     }
+    if (cells_.size() != width_) fail(fmt::format("{} columns, but line {} has {}", cells_.size(), first_, width_));
+    if (read_.numbers.size() + used_.size() > most_numbers) fail(fmt::format("more than {} numbers", most_numbers));
+    for (const std::size_t column : used_) read_.numbers.push_back(number(cells_[column], column));
+    read_.columns = used_.size();
     read_.lines.push_back(line_);
   }
 
-  double number(std::string_view text, std::size_t column) const {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = end == text.data() + text.size();
-    if (error == std::errc() && whole && std::isfinite(value)) return value;
-    fail(fmt::format("column {}: '{}' is not a finite number", column, printable(text, 30)));
+  bool is_header() const {
+    return !names_.empty() &&
+           std::ranges::none_of(cells_, [](std::string_view cell) { return parsed(cell).has_value(); });
   }
 
-  [[noreturn]] void fail(const std::string& what) const { throw SceneError(name_, line_, what); }
+  void read_header() {
+    read_.has_header = true;
+    for (const std::string_view name : names_) {
+      const auto found = std::ranges::find(cells_, name);
+      if (found == cells_.end())
+        fail(fmt::format("no column is headed {}: {} are needed", name, fmt::join(names_, ", ")));
+      if (std::ranges::count(cells_, name) > 1) fail(fmt::format("more than one column is headed {}", name));
+      used_.push_back(static_cast<std::size_t>(found - cells_.begin()));
+    }
+  }
 
-  std::string name_;
+  static std::optional<double> parsed(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+  }
+
+  double number(std::string_view text, std::size_t column) const {
+    const auto value = parsed(text);
+    if (value && std::isfinite(*value)) return *value;
+    fail(fmt::format("column {}: '{}' is not a finite number", column + 1, printable(text, 30)));
+  }
+
+  [[noreturn]] void fail(const std::string& what) const { refuse_line(table_, key_, line_, what); }
+
+  const TomlReader& table_;
+  std::string_view key_;
+  std::span<const std::string_view> names_;
   std::ifstream in_;
-  std::size_t line_ = 0;
+  std::vector<std::string_view> cells_;  // of a row
+  std::vector<std::size_t> used_;        // columns
+  std::size_t line_ = 0, first_ = 0;     // first: the line that says the width
+  std::size_t width_ = 0;
   NumberRows read_;
 };
 
 }  // namespace
 
-NumberRows read_numbers(const std::filesystem::path& file) { return Reader(file).read(); }
+NumberRows read_numbers(const TomlReader& table, std::string_view key, std::span<const std::string_view> names) {
+  return Reader(table, key, names).read();
+}
+
+void refuse_line(const TomlReader& table, std::string_view key, std::size_t line, std::string_view why) {
+  const Place place = table.place(key);
+  throw SceneError(beside_scene(table, key).string(), line,
+                   fmt::format("{}, read for {}", why, located(place.file, place.line, place.words)));
+}
 
 std::filesystem::path beside_scene(const TomlReader& table, std::string_view key) {
   std::filesystem::path file = std::filesystem::path(table.document().name()).parent_path() / table.text(key);

@@ -1,14 +1,10 @@
 // What `patchgrip limit` refuses, with file, line, key and reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include <patchgrip/cli/scene/csv_reader.h>
 #include <patchgrip/cli/scene/scene_error.h>
 
 #include "limit_scenes.h"
@@ -16,7 +12,6 @@
 namespace patchgrip::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using test::good_limit;
 using test::limit_scene;
 using test::with;
@@ -157,48 +152,6 @@ std::vector<Bad> bad_scenes() {
 
 INSTANTIATE_TEST_SUITE_P(Limit, BadLimit, ::testing::ValuesIn(bad_scenes()),
                          [](const auto& given) { return given.param.name; });
-
-class NumberFile : public ::testing::Test {
- protected:
-  NumberFile() : file_(fs::path(::testing::TempDir()) / ("numbers_" + std::to_string(::getpid()) + ".csv")) {}
-  ~NumberFile() override { fs::remove(file_); }
-
-  NumberRows rows(const std::string& text) const {
-    std::ofstream(file_) << text;
-    return read_numbers(file_);
-  }
-
-  std::string refusal(const std::string& text) const {
-    try {
-      (void)rows(text);
-    } catch (const SceneError& error) {
-      return error.what();
-    }
-    return "accepted";
-  }
-
-  fs::path file_;
-};
-
-TEST_F(NumberFile, HoldsRowsBetweenComments) {
-  const NumberRows read = rows("# x, y\n\n 1, 2.5 ,-3e-1\r\n4,5,6\n");
-  ASSERT_EQ(read.rows(), 2U);
-  EXPECT_EQ(read.columns, 3U);
-  EXPECT_EQ(read[0][2], -0.3);
-  EXPECT_EQ(read[1][0], 4);
-  EXPECT_EQ(read.lines[1], 4U);
-}
-
-TEST_F(NumberFile, IsRefusedWithItsLine) {
-  const std::string name = file_.string();
-  EXPECT_EQ(refusal("1, 2\n3\n"), name + ":2: 1 columns, but line 1 has 2");
-  EXPECT_EQ(refusal("1, x\n"), name + ":1: column 2: 'x' is not a finite number");
-  EXPECT_EQ(refusal("1, nan\n"), name + ":1: column 2: 'nan' is not a finite number");
-  EXPECT_EQ(refusal("1,\n"), name + ":1: column 2: '' is not a finite number");
-  EXPECT_EQ(refusal("# nothing\n"), name + ": has no numbers");
-  fs::remove(file_);
-  EXPECT_THROW(read_numbers(file_), SceneError);
-}
 
 }  // namespace
 }  // namespace patchgrip::cli
