@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/limit/picture_axes.h>
@@ -70,6 +72,25 @@ Colour lit(const Colour& colour, const SpacePoint& normal, const View& view) {
   return mixed(mixed(black, colour, 0.5 + 0.5 * diffuse), white, gloss);
 }
 
+struct NumberedLoad {
+  std::size_t number;
+  const LoadAnswer& load;
+};
+
+// Rising numbers as "2, 4-7, 9", cut where that is long.
+std::string in_runs(const std::vector<std::size_t>& numbers) {
+  constexpr std::size_t longest = 10;
+  std::string text;
+  for (std::size_t first = 0, next = 0; first < numbers.size(); first = next) {
+    while (next < numbers.size() && numbers[next] == numbers[first] + (next - first)) ++next;
+    if (text.size() > longest) return text + ", ...";
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{}", numbers[first]);
+    if (next - first > 1) text += fmt::format("{}{}", next - first > 2 ? "-" : ", ", numbers[next - 1]);
+  }
+  return text;
+}
+
 struct Picture {
   const LimitMesh& mesh;
   View view;
@@ -126,20 +147,41 @@ struct Picture {
       svg.line(std::array{passed, marked}, {vermilion, 0.35, !seen});
       if (part == 1) svg.circle(marked, radius, vermilion, {white, 0.15});
     } else {
-      svg.circle(passed, radius, white, {seen ? black : hidden, 0.3, !seen});
+      const Colour edge = load.verdict == Verdict::undecided ? vermilion : seen ? black : hidden;
+      svg.circle(passed, radius, white, {edge, 0.3, !seen});
     }
     return marked;
   }
 
-  void draw_loads(const std::vector<LoadAnswer>& loads) {
-    std::vector<Spot> marks;
-    for (const LoadAnswer& load : loads) marks.push_back(draw_load(load));
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-      svg.rimmed_number({marks[i].x + 1.4, marks[i].y - 1}, fmt::format("{}", i + 1), 8);
+  void draw_loads(const std::vector<NumberedLoad>& loads) {
+    constexpr double together = 0.5;  // [mm]
+    struct Mark {
+      Spot at;
+      std::vector<std::size_t> numbers;
+    };
+    std::vector<Mark> marks;
+    for (const auto& [number, load] : loads) {
+      const Spot at = draw_load(load);
+      const auto same = std::ranges::find_if(
+          marks, [&](const Mark& mark) { return std::hypot(mark.at.x - at.x, mark.at.y - at.y) < together; });
+      if (same == marks.end()) {
+        marks.push_back({at, {number}});
+      } else {
+        same->numbers.push_back(number);
+      }
+    }
+    for (const Mark& mark : marks) {
+      const std::string numbers = in_runs(mark.numbers);
+      for (const auto& [right, down, anchor] : {std::tuple{1.4, -1., Anchor::start},
+                                                {1.4, 3., Anchor::start},
+                                                {-1.4, -1., Anchor::end},
+                                                {-1.4, 3., Anchor::end}}) {
+        if (svg.rimmed_number({mark.at.x + right, mark.at.y + down}, numbers, 8, anchor)) break;
+      }
     }
   }
 
-  void draw_legend(const std::vector<LoadAnswer>& loads) {
+  void draw_legend(const std::vector<NumberedLoad>& loads) {
     constexpr double left = 20, top = height - 11, length = 80, thickness = 3;
     constexpr int steps = 80;
     for (int i = 0; i < steps; ++i) {
@@ -161,9 +203,12 @@ struct Picture {
       svg.text({width - 36, y + 1}, words, 8);
       y += 4.5;
     };
-    const auto slips = [](const LoadAnswer& load) { return load.verdict == Verdict::slips; };
-    if (!std::ranges::all_of(loads, slips)) entry("a load that holds", white, {black, 0.3});
-    if (std::ranges::any_of(loads, slips)) entry("a load that slips", vermilion, {white, 0.15});
+    const auto some = [&](Verdict verdict) {
+      return std::ranges::any_of(loads, [=](const NumberedLoad& one) { return one.load.verdict == verdict; });
+    };
+    if (some(Verdict::holds)) entry("a load that holds", white, {black, 0.3});
+    if (some(Verdict::slips)) entry("a load that slips", vermilion, {white, 0.15});
+    if (some(Verdict::undecided)) entry("a load, undecided", white, {vermilion, 0.3});
   }
 };
 
@@ -201,10 +246,11 @@ std::string picture_of(const LimitMesh& mesh, const PictureRequest& request) {
   };
   for (const LimitPoint& point : mesh.points) include(point.wrench.value);
   const bool per = !request.capacity;
-  std::vector<LoadAnswer> loads;
-  std::ranges::copy_if(request.loads, std::back_inserter(loads),
-                       [&](const LoadAnswer& a) { return !per && a.loaded(); });
-  for (const LoadAnswer& load : loads) include(scaled(load.load, shown_part(load)));
+  std::vector<NumberedLoad> loads;
+  for (std::size_t i = 0; !per && i < request.loads.size(); ++i) {
+    if (request.loads[i].loaded()) loads.push_back({i + 1, request.loads[i]});
+  }
+  for (const NumberedLoad& one : loads) include(scaled(one.load.load, shown_part(one.load)));
   const std::array<Axis, 3> axes{
       axis_of(low[0], high[0], 1, per ? "*f_x / *µ*F_N" : "*f_x", per ? "" : "N", !per),
       axis_of(low[1], high[1], 1, per ? "*f_y / *µ*F_N" : "*f_y", per ? "" : "N", !per),

@@ -2,7 +2,8 @@
 //
 // The surface is convex, so what faces the viewer hides everything else. The moment is drawn as m / L. A load that
 // slips is joined to the point of the surface that it passed; one that holds is drawn as the point in which its ray
-// would leave. Loads bear their numbers, from 1; one that would touch another number is left out.
+// would leave. Loads bear their numbers, from 1, those of one mark together; where all places beside a mark would touch
+// another number, they are left out.
 #pragma once
 
 #include <optional>
@@ -20,7 +21,7 @@ struct PictureRequest {
   std::string title;
   double azimuth, elevation;       // of the viewer [rad]
   std::optional<double> capacity;  // mu F_N [N]; without it forces are drawn per mu F_N, and no loads
-  std::vector<LoadAnswer> loads;   // at most most_loads_drawn
+  std::vector<LoadAnswer> loads;   // at most most_loads_drawn; their numbers are their places
 };
 
 // SVG, 120 mm by 110 mm. Throws Interrupted.

@@ -135,10 +135,11 @@ void Svg::number(const Spot& at, std::string_view digits, double size, Anchor an
   if (takes(at, digits, size, anchor)) set(at, digits, size, anchor);
 }
 
-void Svg::rimmed_number(const Spot& at, std::string_view digits, double size, Anchor anchor) {
-  if (!takes(at, digits, size, anchor)) return;
+bool Svg::rimmed_number(const Spot& at, std::string_view digits, double size, Anchor anchor) {
+  if (!takes(at, digits, size, anchor)) return false;
   set(at, digits, size, anchor, " stroke=\"#FFFFFF\" stroke-width=\"0.6\" stroke-linejoin=\"round\"");
   set(at, digits, size, anchor);
+  return true;
 }
 
 std::string Svg::finished() && {

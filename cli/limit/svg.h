@@ -46,8 +46,8 @@ class Svg {
   void label(const Spot& at, std::string_view words, double size, Anchor anchor = Anchor::start);
   // Left out where it would touch a number that is there.
   void number(const Spot& at, std::string_view digits, double size, Anchor anchor = Anchor::start);
-  // The same with a white rim, to be read on any ground.
-  void rimmed_number(const Spot& at, std::string_view digits, double size, Anchor anchor = Anchor::start);
+  // The same with a white rim, to be read on any ground. False where it is left out.
+  bool rimmed_number(const Spot& at, std::string_view digits, double size, Anchor anchor = Anchor::start);
 
   std::string finished() &&;
 

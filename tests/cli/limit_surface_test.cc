@@ -253,13 +253,38 @@ TEST(SurfacePicture, MarksLoadsThatHoldAndLoadsThatSlip) {
   EXPECT_THAT(svg, HasSubstr("a load that slips"));
 }
 
+// In one direction all that hold leave at one point; the load of nothing has no mark, but keeps its number.
+TEST(SurfacePicture, NumbersOfOneMarkStandTogether) {
+  const std::string loads =
+      "[[loads]]\nforce = { size = [0.1, 0.2], angle = 2.5 }\n[[loads]]\nmoment = 0\n"
+      "[[loads]]\nforce = { size = [0.3, 0.4, 0.5], angle = 2.5 }\n[[loads]]\nmoment = 1\n";
+  const LimitScene scene = test::limit_scene(l_shape + loads);
+  const std::string svg = picture_of(meshed(l_shape).mesh, request_of(scene));
+  EXPECT_THAT(svg, HasSubstr(">1, 2, 4-6</text>"));
+  EXPECT_THAT(svg, HasSubstr(">7</text>"));
+}
+
+TEST(SurfacePicture, TellsUndecidedLoadsApart) {
+  const std::string disc =
+      "[contact]\npatch = \"uniform_disc\"\nradius = 0.006\nnormal_force = 5\n[friction]\nmu = 0.6\n";
+  const LimitScene scene = test::limit_scene(disc + "[[loads]]\nforce = [3, 0]\n[[loads]]\nforce = [1, 0]\n");
+  const PictureRequest request = request_of(scene);
+  ASSERT_EQ(request.loads.at(0).verdict, Verdict::undecided);
+  const std::string svg = picture_of(meshed(disc).mesh, request);
+  EXPECT_THAT(svg, HasSubstr("a load, undecided"));
+  EXPECT_THAT(svg, HasSubstr("a load that holds"));
+  EXPECT_THAT(svg, Not(HasSubstr("a load that slips")));
+  EXPECT_THAT(picture_of(meshed(disc).mesh, request_of(test::limit_scene(disc + "[[loads]]\nforce = [1, 0]\n"))),
+              Not(HasSubstr("undecided")));
+}
+
 // Of loads side by side, as many as there is room for; the axes keep theirs.
 TEST(SurfacePicture, NumbersDoNotTouch) {
   const LimitScene scene = test::limit_scene(
       l_shape + "[[loads]]\nforce = { size = 1, angle = { from = -3, to = -2, count = 60 } }\nmoment = 0.004\n");
   const std::string svg = picture_of(meshed(l_shape).mesh, request_of(scene));
   const std::regex number(
-      R"re(<text x="(-?[\d.]+)" y="(-?[\d.]+)" font-size="2.82" text-anchor="(\w+)">(-?[\d.]+)</text>)re");
+      R"re(<text x="(-?[\d.]+)" y="(-?[\d.]+)" font-size="2.82" text-anchor="(\w+)">([-\d., ]+)</text>)re");
   struct Area {
     std::string digits;
     double left, right, top, bottom;
