@@ -17,6 +17,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  static constexpr int no_output = -1;  // where nothing is written while it runs
+
   // True when standard error is a terminal and `output` is not.
   static bool wanted(int output) noexcept;
 

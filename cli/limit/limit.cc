@@ -63,8 +63,7 @@ LimitAnswer answer_limit(const LimitScene& scene) {
                      {},
                      scene.contact.warnings};
   const std::size_t count = scene.loads.size();
-  constexpr int no_output = -1;  // nothing is written while it runs
-  Progress progress("limit", count, Progress::wanted(no_output));
+  Progress progress("limit", count, Progress::wanted(Progress::no_output));
   answer.loads.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     InterruptGuard::check();

@@ -4,6 +4,7 @@
 
 #include <patchgrip/cli/friction_row.h>
 #include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/progress.h>
 #include <patchgrip/cli/scene/direction.h>
 
 namespace patchgrip::cli {
@@ -14,6 +15,7 @@ LimitMesh mesh_of(const Contact& contact, const contact::Estimate& resistance, d
   const friction::Law coulomb = friction::Law::coulomb(1);
   const double R = resistance.value;
   LimitMesh mesh{{}, meridians, parallels, length, patch.moments()};
+  Progress progress("limit surface", mesh.at(parallels, 0) + 1, Progress::wanted(Progress::no_output));
   const auto add = [&](double along, double across, double spin) {
     InterruptGuard::check();
     const double w = spin / length;
@@ -26,6 +28,7 @@ LimitMesh mesh_of(const Contact& contact, const contact::Estimate& resistance, d
     mesh.points.push_back({{t, R * g.force_error + relative * std::hypot(t.fx, t.fy) + owed.force,
                             R * g.moment_error + relative * std::fabs(t.m) + owed.moment},
                            v});
+    progress.at(mesh.points.size());
   };
   add(0, 0, 1);
   for (int i = 1; i < parallels; ++i) {

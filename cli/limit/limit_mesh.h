@@ -37,7 +37,7 @@ struct LimitMesh {
 
   std::size_t at(int parallel, int meridian) const noexcept {
     if (parallel == 0) return 0;
-    if (parallel == parallels) return points.size() - 1;
+    if (parallel == parallels) return 1 + static_cast<std::size_t>((parallels - 1) * meridians);
     return 1 + static_cast<std::size_t>((parallel - 1) * meridians + (meridian % meridians));
   }
 

@@ -9,6 +9,7 @@
 
 #include <patchgrip/cli/csv_number.h>
 #include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/progress.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -36,7 +37,10 @@ std::string to_vtk(const LimitMesh& mesh, std::string_view title) {
   std::string text = "# vtk DataFile Version 3.0\n";
   text += std::string(title.substr(0, longest_title)) + "\nASCII\nDATASET POLYDATA\n";
   text += fmt::format("POINTS {} double\n", mesh.points.size());
+  Progress progress("surface", 4 * mesh.points.size(), Progress::wanted(Progress::no_output));
+  std::size_t done = 0;
   for (const LimitPoint& p : mesh.points) {
+    progress.at(done++);
     append_row(text, {p.wrench.value.fx, p.wrench.value.fy, p.wrench.value.m / mesh.length});
   }
   const int caps = 2 * mesh.meridians;
@@ -53,14 +57,21 @@ std::string to_vtk(const LimitMesh& mesh, std::string_view title) {
   }
   text += fmt::format("POINT_DATA {}\nNORMALS normals double\n", mesh.points.size());
   for (const LimitPoint& p : mesh.points) {
+    progress.at(done++);
     const double spin = mesh.length * p.slip.w;
     const double size = std::hypot(p.slip.vx, p.slip.vy, spin);
     append_row(text, {p.slip.vx / size, p.slip.vy / size, spin / size});
   }
   text += "VECTORS slip double\n";
-  for (const LimitPoint& p : mesh.points) append_row(text, {p.slip.vx, p.slip.vy, p.slip.w});
+  for (const LimitPoint& p : mesh.points) {
+    progress.at(done++);
+    append_row(text, {p.slip.vx, p.slip.vy, p.slip.w});
+  }
   text += "SCALARS pole_share double 1\nLOOKUP_TABLE default\n";
-  for (const LimitPoint& p : mesh.points) append_row(text, {mesh.pole_share(p.slip)});
+  for (const LimitPoint& p : mesh.points) {
+    progress.at(done++);
+    append_row(text, {mesh.pole_share(p.slip)});
+  }
   return text;
 }
 

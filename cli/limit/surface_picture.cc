@@ -14,6 +14,7 @@
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/limit/picture_axes.h>
 #include <patchgrip/cli/limit/svg.h>
+#include <patchgrip/cli/progress.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -111,8 +112,10 @@ struct Picture {
       Spot from, to;
     };
     std::vector<Edge> edges;
+    Progress progress("picture", static_cast<std::size_t>(mesh.parallels), Progress::wanted(Progress::no_output));
     for (int i = 0; i < mesh.parallels; ++i) {
       InterruptGuard::check();
+      progress.at(static_cast<std::size_t>(i));
       for (int j = 0; j < mesh.meridians; ++j) {
         const LimitMesh::Cell cell = mesh.cell(i, j);
         std::array<Spot, 4> corners;

@@ -146,8 +146,7 @@ PressedHalfSpace press_map(const BodyPair& pair, double modulus, const StaticLoa
   const Gap gap = averaged(at(file.place, [&] { return gap_of(file, *other); }), coarser);
 
   contact::PressSettings settings;
-  constexpr int no_output = -1;  // nothing is written while it runs
-  Progress progress("press", 100, Progress::wanted(no_output));
+  Progress progress("press", 100, Progress::wanted(Progress::no_output));
   settings.observer = [&](const contact::SolverProgress& at) {
     InterruptGuard::check();
     const double digits = std::log(at.residual) / std::log(settings.tolerance);

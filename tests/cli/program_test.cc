@@ -373,6 +373,20 @@ TEST_F(Terminal, ShowsProgressOfALongTableAndErasesIt) {
   close(null);
 }
 
+TEST_F(Terminal, ShowsProgressOfAFineLimitSurface) {
+  const int null = open("/dev/null", O_RDWR);
+  const std::string fine = scene_text("fine", test::with(test::good_disc, "[poles]\nlist = [[0.001, 0.002], [0, 0]]",
+                                                         "[surface]\nmeridians = 4000\nparallels = 4000"));
+  const pid_t child = start({"limit", fine, "--surface", (folder_ / "surface.vtk").string()}, null, slave_);
+  std::string text = shown_after("%");
+  kill(child, SIGINT);
+  EXPECT_EQ(code_of(child), 128 + SIGINT);
+  text += shown();
+  EXPECT_THAT(text, StartsWith("\r\x1b[Klimit surface: "));
+  EXPECT_TRUE(text.ends_with("\r\x1b[K")) << "the line stays";
+  close(null);
+}
+
 TEST_F(Terminal, ShowsNoProgressOfAShortTable) {
   const int null = open("/dev/null", O_RDWR);
   EXPECT_EQ(code_of(start({"tabulate", scene("disc")}, null, slave_)), 0);
