@@ -65,7 +65,7 @@ Loads read_loads(const TomlReader& scene, double area_radius) {
         {load.has("polar") ? read_direction_loads(load, area_radius) : read_force_loads(load), load.place()});
     total += load_count(tables.back().set);
     if (total > most_loads) {
-      load.refuse_table(fmt::format("that makes {:.3g} loads, but a scene may have at most {:.0e}", total, most_loads));
+      load.refuse_table(fmt::format("that makes {:.0f} loads, but a scene may have at most {:.0f}", total, most_loads));
     }
   }
   return Loads(std::move(tables));

@@ -80,7 +80,7 @@ Sequence read_speeds(const TomlReader& poles, std::string_view key, std::string_
 void refuse_too_many(const TomlReader& poles, std::string_view key, double count, double& total) {
   total += count;
   if (total > most_motions) {
-    poles.refuse(key, fmt::format("that makes {:.3g} rows, but a table may have at most {:.0e}", total, most_motions));
+    poles.refuse(key, fmt::format("that makes {:.0f} rows, but a table may have at most {:.0f}", total, most_motions));
   }
 }
 

@@ -43,7 +43,9 @@ constexpr double largest_size = 1e60;
 constexpr Quantity positive(std::string_view what) { return {what, smallest_size, largest_size}; }
 constexpr Quantity non_negative(std::string_view what) { return {what, smallest_size, largest_size, true}; }
 constexpr Quantity any_sign(std::string_view what) { return {what, smallest_size, largest_size, true, true}; }
-constexpr Quantity any_angle(std::string_view what) { return {what, smallest_size, 1e3, true, true}; }  // [rad]
+// A turn at most: what is larger was meant in degrees.
+constexpr double largest_angle = 6.2832;  // [rad]
+constexpr Quantity any_angle(std::string_view what) { return {what, smallest_size, largest_angle, true, true}; }
 
 class TomlReader {
  public:
