@@ -110,12 +110,6 @@ Pressed press_power_law(std::string name, double alpha, const Estimate& force, c
                        p, relative + 4 * unit);
 }
 
-// a = c F^gamma for c (relative) and gamma (absolute) right to so many units.
-Estimate radius_of(const contact::PowerLaw& law, double force, double units) {
-  const double a = law.contact_radius(force);
-  return {a, (4 + units * (1 + std::fabs(std::log(force)))) * unit * a};
-}
-
 // F = 2 pi c h^2 [y - ln(1 + y)], y = delta/h, h = R - delta (winkler.h), and its derivatives. p = c (1 - g) g falls
 // where a spring keeps less than half its length: so the force has a largest value, where F' = 0.
 double winkler_slope(const contact::WinklerFingertip& bed, double delta) {
@@ -183,7 +177,7 @@ Pressed press_fingertip(const PowerLawFingertip& tip, const PressScene& scene) {
   Estimate force{load.value, 0};
   Estimate radius{load.value, 0};
   if (load.kind == LoadKind::normal_force) {
-    radius = radius_of(law, load.value, 1);
+    radius = radius_under(law, load.value, 1);
   } else {
     const double F = law.normal_force(load.value);
     force = {F, (2 + std::fabs(std::log(load.value / law.c))) / law.gamma * unit * F};  // power_law.h
@@ -198,12 +192,11 @@ Pressed press_fingertip(const PowerLawFingertip& tip, const PressScene& scene) {
 }
 
 Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
-  std::vector<contact::MeasuredRadius> points;
-  for (const auto& [force, radius] : tip.points) points.push_back({force, radius});
-  const auto fit = at(scene.subject_place, [&] { return contact::PowerLawFit::to(points); });
+  const auto fit = at(scene.subject_place, [&] { return fit_to(tip); });
   const double force = force_of(scene);
-  Pressed result = press_power_law("power_law_fit", tip.alpha, {force, 0}, radius_of(fit.law, force, fit.error_units),
-                                   "least squares of ln a on ln F; limits by Student's t");
+  Pressed result =
+      press_power_law("power_law_fit", tip.alpha, {force, 0}, radius_under(fit.law, force, fit.error_units),
+                      "least squares of ln a on ln F; limits by Student's t");
   const double off = fit.error_units * unit;  // of gamma, ln c and what is left of ln a
   auto& results = result.answer.main.results;
   results.push_back({"c", fit.law.c, off * fit.law.c, "m N^-gamma"});

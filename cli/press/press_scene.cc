@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <patchgrip/cli/scene/contact_reader.h>
+#include <patchgrip/cli/scene/fingertip_reader.h>
 #include <patchgrip/cli/scene/friction_reader.h>
 #include <patchgrip/cli/scene/patch_reader.h>
 #include <patchgrip/cli/scene/profile_of.h>
@@ -24,7 +25,6 @@ constexpr Quantity approach_range = positive("an approach in m");
 constexpr Quantity adhesive_approach_range = any_sign("an approach in m");
 constexpr Quantity radius_range = positive("a radius of the contact in m");
 constexpr Quantity time_range = non_negative("a time in s");
-constexpr std::size_t most_points = 100'000;
 
 constexpr std::array<std::string_view, 3> load_names{"normal_force", "approach", "contact_radius"};
 constexpr std::array<std::string_view, 5> sweep_names{"normal_force", "approach", "contact_radius", "radii_ratio",
@@ -36,19 +36,6 @@ const Quantity& range_of(LoadKind kind, bool adhesive) {
   if (kind == LoadKind::normal_force) return adhesive ? adhesive_force_range : force_range;
   if (kind == LoadKind::approach) return adhesive ? adhesive_approach_range : approach_range;
   return radius_range;
-}
-
-std::vector<std::array<double, 2>> read_pairs(const TomlReader& table, std::string_view key, std::string_view allowed,
-                                              const Quantity& first, const Quantity& second) {
-  std::vector<std::array<double, 2>> pairs;
-  for (const toml::node& node : table.array(table.node(key), key, allowed)) {
-    const std::string name = fmt::format("{}[{}]", key, pairs.size());
-    const toml::array& pair = table.array(node, name, allowed);
-    if (pair.size() != 2) table.refuse(node, name, allowed);
-    pairs.push_back({table.number(pair[0], name, first), table.number(pair[1], name, second)});
-  }
-  if (pairs.empty() || pairs.size() > most_points) table.refuse(key, allowed);
-  return pairs;
 }
 
 // --- what touches
@@ -75,42 +62,20 @@ Described read_given_pressure(const TomlReader& contact) {
           contact.place("patch")};
 }
 
-Described read_fingertip(const TomlReader& contact) {
+Described read_pressed_fingertip(const TomlReader& contact) {
   contact.refuse_others({"fingertip", "normal_force", "approach", "contact_radius"},
                         "not used beside 'fingertip'; give bodies, a patch or a fingertip");
-  const TomlReader tip = contact.table(
-      "fingertip", {"coefficient", "exponent", "measured", "confidence", "alpha", "radius", "bed_modulus"});
-  const auto alpha = [&] { return tip.has("alpha") ? tip.number("alpha", alpha_range) : 2; };
-  if (tip.has("measured")) {
-    tip.refuse_others({"measured", "confidence", "alpha"}, "not used beside 'measured'");
-    auto points = read_pairs(tip, "measured", "points [[F, a], ...] of force in N and contact radius in m", force_range,
-                             radius_range);
-    const double confidence = tip.has("confidence") ? tip.number("confidence", {"a confidence", 0.01, 0.9999}) : 0.95;
-    std::string note = fmt::format("fingertip measured at {} points", points.size());
-    return {MeasuredFingertip{std::move(points), confidence, alpha()}, {std::move(note)}, tip.place("measured")};
-  }
-  if (tip.has("bed_modulus")) {
-    tip.refuse_others({"bed_modulus", "radius"}, "not used beside 'bed_modulus'");
-    const WinklerFingertip bed{tip.number("radius", positive("the radius of the fingertip in m")),
-                               tip.number("bed_modulus", positive("the modulus c of the bed in Pa"))};
-    return {
-        bed, {fmt::format("fingertip of radius {} m on a Winkler bed, c = {} Pa", bed.radius, bed.bed)}, tip.place()};
-  }
-  if (!tip.has("coefficient"))
-    tip.refuse_table("needs 'coefficient' and 'exponent', 'measured', or 'bed_modulus' and 'radius'");
-  tip.refuse_others({"coefficient", "exponent", "alpha"}, "not used beside 'coefficient'");
-  const PowerLawFingertip law{tip.number("coefficient", positive("the coefficient c of a = c F^gamma in m N^-gamma")),
-                              tip.number("exponent", {"the exponent gamma of a = c F^gamma", 0.01, 1}), alpha()};
-  return {law,
-          {fmt::format("fingertip with a = {} F^{}, alpha = {}", law.coefficient, law.exponent, law.alpha)},
-          tip.place()};
+  DescribedFingertip described = read_fingertip(contact);
+  return {std::visit([](auto& tip) -> Subject { return std::move(tip); }, described.tip),
+          {std::move(described.words)},
+          std::move(described.place)};
 }
 
 Described read_subject(const TomlReader& contact, const MaterialLibrary& materials) {
   if (contact.has("parts")) contact.refuse("parts", "rubbed, but not pressed: give bodies, a patch or a fingertip");
   if (contact.has("bodies")) return read_bodies(contact, materials);
   if (contact.has("patch")) return read_given_pressure(contact);
-  if (contact.has("fingertip")) return read_fingertip(contact);
+  if (contact.has("fingertip")) return read_pressed_fingertip(contact);
   contact.refuse_table("needs two tables [[contact.bodies]], 'patch' (a pressure) or 'fingertip'");
 }
 

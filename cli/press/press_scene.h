@@ -11,6 +11,7 @@
 
 #include <patchgrip/cli/patch_variant.h>
 #include <patchgrip/cli/scene/body_reader.h>
+#include <patchgrip/cli/scene/fingertip_reader.h>
 #include <patchgrip/cli/scene/materials.h>
 #include <patchgrip/cli/scene/place.h>
 #include <patchgrip/cli/scene/sequence.h>
@@ -23,22 +24,6 @@ namespace patchgrip::cli {
 struct GivenPressure {
   PatchVariant patch;
   double contact_modulus;  // [Pa]
-};
-
-// A soft fingertip by the laws of Keppler 4.3.2.
-struct PowerLawFingertip {
-  double coefficient;  // c [m N^-gamma]
-  double exponent;     // gamma
-  double alpha;        // of the pressure of Xydas and Kao
-};
-struct MeasuredFingertip {
-  std::vector<std::array<double, 2>> points;  // F_N [N], a [m]
-  double confidence;
-  double alpha;
-};
-struct WinklerFingertip {
-  double radius;  // R [m]
-  double bed;     // c [Pa]
 };
 
 using Subject = std::variant<BodyPair, GivenPressure, PowerLawFingertip, MeasuredFingertip, WinklerFingertip>;

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <limits>
 #include <utility>
+#include <variant>
 
 #include <patchgrip/cli/rubbed_bodies.h>
 #include <patchgrip/cli/scene/body_reader.h>
+#include <patchgrip/cli/scene/fingertip_reader.h>
 #include <patchgrip/cli/scene/friction_reader.h>
 #include <patchgrip/friction/several.h>
 
@@ -46,6 +48,36 @@ Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials)
     result.notes.push_back("body A: " + pair.first.words);
     result.notes.push_back("body B: " + pair.second.words);
     return result;
+  });
+}
+
+// A power law says the radius, Xydas and Kao the pressure.
+Contact read_rubbed_fingertip(const TomlReader& contact) {
+  contact.refuse_others({"fingertip", "normal_force", "centre", "angle"},
+                        "not used beside 'fingertip'; give bodies, a patch, parts or a fingertip");
+  DescribedFingertip tip = read_fingertip(contact);
+  const double force = contact.number("normal_force", force_range);
+  if (std::holds_alternative<WinklerFingertip>(tip.tip)) {
+    tip.place.refuse("a Winkler bed is pressed, but not rubbed: give 'coefficient' and 'exponent', or 'measured'");
+  }
+  return at(tip.place, [&]() -> Contact {
+    contact::Estimate radius;
+    double alpha = 0;
+    if (const auto* const measured = std::get_if<MeasuredFingertip>(&tip.tip)) {
+      const contact::PowerLawFit fit = fit_to(*measured);
+      radius = radius_under(fit.law, force, fit.error_units);
+      alpha = measured->alpha;
+    } else {
+      const auto& given = *std::get_if<PowerLawFingertip>(&tip.tip);
+      radius = radius_under(contact::PowerLaw::of(given.coefficient, given.exponent), force, 1);
+      alpha = given.alpha;
+    }
+    Contact rubbed{friction::XydasKaoDisc::of_radius(radius.value, alpha), read_frame(contact), force};
+    rubbed.radius_error = rubbed.shape_error = radius.error / radius.value;
+    rubbed.notes = {
+        std::move(tip.words),
+        fmt::format("disc with the pressure of Xydas and Kao, alpha = {}, radius {} m", alpha, radius.value)};
+    return rubbed;
   });
 }
 
@@ -116,12 +148,13 @@ TomlReader contact_table(const TomlReader& scene) {
 
 Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials) {
   const TomlReader table = contact_table(scene);
-  if (!table.has("patch") && !table.has("bodies") && !table.has("parts")) {
-    table.refuse_table("needs 'patch' (a name), two tables [[contact.bodies]] or some [[contact.parts]]");
+  if (!table.has("patch") && !table.has("bodies") && !table.has("parts") && !table.has("fingertip")) {
+    table.refuse_table("needs 'patch' (a name), two tables [[contact.bodies]], some [[contact.parts]] or 'fingertip'");
   }
-  Contact contact = table.has("bodies")  ? read_bodies(table, materials)
-                    : table.has("parts") ? read_parts(scene, table)
-                                         : read_given_patch(table);
+  Contact contact = table.has("bodies")      ? read_bodies(table, materials)
+                    : table.has("parts")     ? read_parts(scene, table)
+                    : table.has("fingertip") ? read_rubbed_fingertip(table)
+                                             : read_given_patch(table);
   const std::string place = in_words(contact.frame);
   if (!place.empty()) contact.notes.push_back(place);
   contact.notes.push_back(fmt::format("normal force {} N", contact.normal_force));

@@ -10,6 +10,7 @@ namespace patchgrip::cli {
 namespace {
 
 constexpr std::int64_t most_values = 100'000'000;
+constexpr std::size_t most_pairs = 100'000;
 
 std::size_t read_count(const TomlReader& range) {
   constexpr std::string_view allowed = "a whole number from 2 to 100000000";
@@ -46,6 +47,19 @@ Sequence read_sequence(const TomlReader& table, std::string_view key, const Quan
   }
   if (values.empty()) table.refuse(key, "at least one number");
   return Sequence::of_values(std::move(values));
+}
+
+std::vector<std::array<double, 2>> read_pairs(const TomlReader& table, std::string_view key, std::string_view allowed,
+                                              const Quantity& first, const Quantity& second) {
+  std::vector<std::array<double, 2>> pairs;
+  for (const toml::node& node : table.array(table.node(key), key, allowed)) {
+    const std::string name = fmt::format("{}[{}]", key, pairs.size());
+    const toml::array& pair = table.array(node, name, allowed);
+    if (pair.size() != 2) table.refuse(node, name, allowed);
+    pairs.push_back({table.number(pair[0], name, first), table.number(pair[1], name, second)});
+  }
+  if (pairs.empty() || pairs.size() > most_pairs) table.refuse(key, allowed);
+  return pairs;
 }
 
 }  // namespace patchgrip::cli

@@ -6,7 +6,9 @@
 //     { from = 1e-4, to = 1, count = 101, spacing = "log" }      a range with equal ratios
 #pragma once
 
+#include <array>
 #include <string_view>
+#include <vector>
 
 #include <patchgrip/cli/scene/sequence.h>
 #include <patchgrip/cli/scene/toml_reader.h>
@@ -15,5 +17,9 @@ namespace patchgrip::cli {
 
 // Every value lies in the range of `quantity`. Throws SceneError.
 Sequence read_sequence(const TomlReader& table, std::string_view key, const Quantity& quantity);
+
+// Points [[t, value], ...], at least one. Throws SceneError.
+std::vector<std::array<double, 2>> read_pairs(const TomlReader& table, std::string_view key, std::string_view allowed,
+                                              const Quantity& first, const Quantity& second);
 
 }  // namespace patchgrip::cli

@@ -304,6 +304,23 @@ TEST(Limit, PolesAreWithinTheirErrors) {
   EXPECT_GT(moved, 0);  // the loose one is loose
 }
 
+// alpha = 2 is the pressure of Hertz; the law says the radius.
+TEST(Limit, AFingertipRubsAsTheDiscOfItsLaw) {
+  const double a = 4.04e-3 * std::pow(10, 0.295);
+  const LoadAnswer disc = answer_of(with(good_limit, "radius = 0.005", fmt::format("radius = {}", a)));
+  const auto tip = [](const std::string& keys) {
+    return with(good_limit, "patch = \"hertz_disc\"\nradius = 0.005", "fingertip = { " + keys + " }");
+  };
+  const std::string points = fmt::format("measured = [[1, 4.04e-3], [10, {}]]", a);
+  for (const std::string& keys : {std::string("coefficient = 4.04e-3, exponent = 0.295"), points}) {
+    const LoadAnswer answer = answer_of(tip(keys));
+    EXPECT_NEAR(answer.gauge.value, disc.gauge.value, answer.gauge_error + disc.gauge_error) << keys;
+    EXPECT_LE(answer.gauge_error, 1e-12) << keys;
+    EXPECT_GT(answer_of(tip(keys + ", alpha = 4")).gauge.value, 0) << keys;
+    EXPECT_LT(answer_of(tip(keys + ", alpha = 4")).gauge.value, disc.gauge.value) << keys;  // more towards the rim
+  }
+}
+
 class CommittedLimit : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(CommittedLimit, IsAnswered) {
