@@ -15,6 +15,7 @@
 #include <patchgrip/cli/progress.h>
 #include <patchgrip/contact/half_space/convolution.h>
 #include <patchgrip/contact/half_space/height_map.h>
+#include <patchgrip/contact/half_space/local_pressure.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -92,7 +93,6 @@ LawAnswer answer_of(const PressedHalfSpace& p, double modulus) {
       "half_space",
       {estimated("normal_force", p.force, "N"),
        estimated("approach", p.approach, "m"),
-       estimated("peak_pressure", p.peak_pressure, "Pa"),
        estimated("contact_area", p.area, "m^2"),
        within("contact_modulus", modulus, 1.01, "Pa"),
        {"residual", p.residual, 0, "1"}},
@@ -104,26 +104,15 @@ LawAnswer answer_of(const PressedHalfSpace& p, double modulus) {
 }
 
 Table map_of(const PressedHalfSpace& p) {
-  Table map{{"x_m", "y_m", "pressure_Pa"}, {}};
+  Table map{{"x_m", "y_m", "pressure_Pa", "pressure_error_Pa"}, {}};
   map.rows.reserve(p.grid.size());
   for (int j = 0; j < p.grid.ny; ++j) {
     for (int i = 0; i < p.grid.nx; ++i) {
-      map.rows.push_back({p.grid.x(i), p.grid.y(j), p.pressure[p.grid.index(i, j)]});
+      const double x = p.grid.x(i), y = p.grid.y(j);
+      map.rows.push_back({x, y, p.pressure[p.grid.index(i, j)], contact::local_pressure(p, x, y)->error});
     }
   }
   return map;
-}
-
-// The cell that a point lies in, if any.
-std::optional<std::size_t> cell_at(const Grid& grid, bool periodic, double x, double y) {
-  double i = std::floor(x / grid.dx + 0.5 * grid.nx);
-  double j = std::floor(y / grid.dy + 0.5 * grid.ny);
-  if (periodic) {
-    i -= grid.nx * std::floor(i / grid.nx);
-    j -= grid.ny * std::floor(j / grid.ny);
-  }
-  if (!(i >= 0 && j >= 0 && i < grid.nx && j < grid.ny)) return std::nullopt;
-  return grid.index(static_cast<int>(i), static_cast<int>(j));
 }
 
 }  // namespace
@@ -146,6 +135,7 @@ PressedHalfSpace press_map(const BodyPair& pair, double modulus, const StaticLoa
   const Gap gap = averaged(at(file.place, [&] { return gap_of(file, *other); }), coarser);
 
   contact::PressSettings settings;
+  settings.local_errors = true;
   Progress progress("press", 100, Progress::wanted(Progress::no_output));
   settings.observer = [&](const contact::SolverProgress& at) {
     InterruptGuard::check();
@@ -169,11 +159,8 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
   Pressed result{{answer_of(*pressed, modulus), {}, {}},
                  std::min(grid.nx * grid.dx, grid.ny * grid.dy) / 4,
                  [pressed](double x, double y) -> SurfacePoint {
-                   const auto cell = cell_at(pressed->grid, pressed->surface == contact::Surface::periodic, x, y);
-                   if (!cell) return {{0, 0}};
-                   const double p = pressed->pressure[*cell];
-                   const Estimate& peak = pressed->peak_pressure;
-                   return {{p, std::max(peak.error, p * peak.error / peak.value)}};
+                   const auto p = contact::local_pressure(*pressed, x, y);
+                   return {p.value_or(Estimate{not_known, not_known})};
                  }};
   result.knows_displacement = false;
   result.map = map_of(*pressed);
@@ -181,6 +168,9 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
   if (coarse > 0) {
     result.answer.warnings.push_back(fmt::format(
         "{} of {} zones are too small for the grid: their area is that of their cells", coarse, pressed->zones.size()));
+  }
+  if (!peak_is_resolved(*pressed)) {
+    result.answer.warnings.emplace_back("the highest zone is too small for the grid: no peak pressure");
   }
   return result;
 }

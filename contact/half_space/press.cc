@@ -180,6 +180,9 @@ PressedHalfSpace press_half_space(const Grid& grid, Surface surface, std::span<c
     } else {
       pressure = cold_start(level, press.prescribed, value, resources);
     }
+    if (finest && settings.local_errors) {
+      result.coarser_pressure = cropped(grid, last.grid, pressure, contact_modulus);
+    }
 
     // The last but one is half of the error estimate.
     const double factor = finest ? 1 : k + 2 == levels.size() ? estimate_tolerance : coarse_tolerance;

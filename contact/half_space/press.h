@@ -44,10 +44,11 @@ struct Press {
 };
 
 struct PressSettings {
-  double tolerance = 1e-6;   // of the residual (solver.h), in [1e-12, 1e-2]
-  int max_iterations = 500;  // on each grid, >= 1
-  int threads = 2;           // in [1, 64]; grids of less than 100 x 100 cells use one
-  SolverObserver observer;   // may be empty
+  double tolerance = 1e-6;    // of the residual (solver.h), in [1e-12, 1e-2]
+  int max_iterations = 500;   // on each grid, >= 1
+  int threads = 2;            // in [1, 64]; grids of less than 100 x 100 cells use one
+  SolverObserver observer;    // may be empty
+  bool local_errors = false;  // fills coarser_pressure: 8 bytes a cell
 
   void check() const;  // throws std::invalid_argument
   int threads_on(const Grid& grid) const;
@@ -68,6 +69,8 @@ struct PressedHalfSpace {
   Surface surface;
   double contact_modulus;        // [Pa]
   std::vector<double> pressure;  // [Pa], row by row
+  // What half as many cells a side say of each cell [Pa], for local_pressure.h; empty unless local_errors.
+  std::vector<double> coarser_pressure;
   Estimate force, approach, peak_pressure, area;
   double counted_area;
   std::vector<ContactZone> zones;  // on a periodic surface a zone across its side has no meaningful centre
