@@ -31,6 +31,7 @@ std::string table_head(const Scene& scene, std::string_view scene_path) {
                                  version, printable(scene_path, whole));
   if (!scene.title.empty()) head += fmt::format("# title: {}\n", scene.title);
   for (const std::string& note : scene.contact.notes) head += fmt::format("# contact: {}\n", note);
+  for (const std::string& warning : scene.contact.warnings) head += fmt::format("# warning: {}\n", warning);
   head += fmt::format("# friction: {}\n", in_words(scene.law, scene.local));
   head += meaning;
   head += columns;

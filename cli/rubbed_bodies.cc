@@ -14,8 +14,10 @@
 #include <patchgrip/cli/scene/patch_reader.h>
 #include <patchgrip/cli/scene/profile_of.h>
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/steepness.h>
 #include <patchgrip/cli/unanswered.h>
 #include <patchgrip/contact/axisymmetric.h>
+#include <patchgrip/contact/flat_punch.h>
 #include <patchgrip/contact/hertz_circle.h>
 #include <patchgrip/contact/hertz_ellipse.h>
 #include <patchgrip/friction/hertz_ellipse.h>
@@ -34,11 +36,18 @@ constexpr double computed_axes_error = 8 * 0x1p-53;
 // The profiles' own, up to 4 + 8 / m units for the least m = 0.05 of a power, and that of their punch loads.
 constexpr double stamp_radius_error = 256 * 0x1p-53;
 
-RubbedBodies disc(DescribedPatch patch, double radius_error, std::string validity) {
-  return {.patch = std::move(patch.patch),
-          .radius_error = radius_error,
-          .shape_error = radius_error,
-          .notes = {std::move(patch.words), std::move(validity)}};
+RubbedBodies with(RubbedBodies rubbed, const Steepness& steepness) {
+  rubbed.notes.back() += fmt::format(", {} (the half-space theory wants it small)", steepness.text());
+  if (!steepness.is_small()) rubbed.warnings.push_back(steepness.warning());
+  return rubbed;
+}
+
+RubbedBodies disc(DescribedPatch patch, double radius_error, std::string law, const Steepness& steepness) {
+  return with({.patch = std::move(patch.patch),
+               .radius_error = radius_error,
+               .shape_error = radius_error,
+               .notes = {std::move(patch.words), std::move(law)}},
+              steepness);
 }
 
 // The exponent m of w ~ s^m at the axis (stamp_disc.h).
@@ -51,8 +60,8 @@ struct Order {
   }
 };
 
-DescribedPatch punch_stack(const BodyPair& pair, double force, double modulus) {
-  return visit_profile(pair, [&](auto profile, const ProfileName& name) -> DescribedPatch {
+RubbedBodies punch_stack(const BodyPair& pair, double force, double modulus) {
+  return visit_profile(pair, [&](auto profile, const ProfileName& name) -> RubbedBodies {
     using P = decltype(profile);
     if constexpr (std::is_same_v<P, contact::FlatEndCone> || std::is_same_v<P, contact::FlatEndParaboloid> ||
                   std::is_same_v<P, contact::PointProfile>) {
@@ -60,9 +69,11 @@ DescribedPatch punch_stack(const BodyPair& pair, double force, double modulus) {
     } else {
       const double order = Order{}(profile);
       const auto c = contact::AxisymmetricContact<P>::under_force(std::move(profile), force, modulus);
-      return {friction::StampDisc::of_punches(
-                  c.radius(), [&](double x) { return c.punch_load_density(x); }, order),
-              fmt::format("disc under {}, radius {} m", name.remark, c.radius())};
+      return disc({friction::StampDisc::of_punches(
+                       c.radius(), [&](double x) { return c.punch_load_density(x); }, order),
+                   fmt::format("disc under {}, radius {} m", name.remark, c.radius())},
+                  stamp_radius_error, "from two bodies: a stamp on a half-space",
+                  Steepness::of_stamp(c.radius(), c.approach()));
     }
   });
 }
@@ -73,24 +84,25 @@ RubbedBodies ellipse_of_bodies(const CurvedSurface& first, const CurvedSurface& 
   const auto direction = EllipseDirection::of(first, second, radii);
   // Turned by d, the points of an ellipse move by (a - b) sin d at most; relative to b where they are nearest.
   const double turned = e.one_minus_b_a * e.a / e.b * std::min(direction.error, 1.);
-  return {
-      .patch = friction::AnyPatch(friction::HertzEllipse::of_semi_axes(e.a, e.b)),
-      .angle = direction.angle,
-      .shape_error = computed_axes_error + turned,
-      .extent = e.a,
-      .notes = {fmt::format("Hertz ellipse, semi-axes {} m and {} m, the first at {} rad", e.a, e.b, direction.angle),
-                fmt::format("from two bodies by Hertz, b/R_small = {:.2g} (the half-space theory wants it small)",
-                            e.b / radii.small)}};
+  return with(
+      {.patch = friction::AnyPatch(friction::HertzEllipse::of_semi_axes(e.a, e.b)),
+       .angle = direction.angle,
+       .shape_error = computed_axes_error + turned,
+       .extent = e.a,
+       .notes = {fmt::format("Hertz ellipse, semi-axes {} m and {} m, the first at {} rad", e.a, e.b, direction.angle),
+                 "from two bodies by Hertz"}},
+      Steepness::of_ellipse(first, second, radii, direction.angle, e.a, e.b));
 }
 
 RubbedBodies ellipse_of_mesh(const contact::MeshContact& mesh, double force, double modulus) {
   const auto pressed = mesh.under_force(force, modulus);
   const auto& e = pressed.ellipse;
-  return {.patch = friction::AnyPatch(friction::HertzEllipse::of_semi_axes(e.a, e.b)),
-          .shape_error = std::max(pressed.a_error / e.a, pressed.b_error / e.b),
-          .extent = e.a,
-          .notes = {fmt::format("Hertz ellipse, semi-axes {} m and {} m, the x-axis along the first", e.a, e.b),
-                    "from a mesh by Hertz; its errors are those of the fitted curvature"}};
+  return with({.patch = friction::AnyPatch(friction::HertzEllipse::of_semi_axes(e.a, e.b)),
+               .shape_error = std::max(pressed.a_error / e.a, pressed.b_error / e.b),
+               .extent = e.a,
+               .notes = {fmt::format("Hertz ellipse, semi-axes {} m and {} m, the x-axis along the first", e.a, e.b),
+                         "from a mesh by Hertz; its errors are those of the fitted curvature"}},
+              Steepness::of_mesh(mesh, e.a, e.b));
 }
 
 friction::AnyPatch sampled(const contact::PressedHalfSpace& pressed) {
@@ -109,11 +121,12 @@ RubbedBodies grid_of_bodies(const BodyPair& pair, double force, double modulus, 
     return at(load.place, [&]() -> RubbedBodies {
       const auto pressed = press_map(pair, modulus, load, bodies);
       const auto& [nx, ny, dx, dy] = pressed.grid;
-      return {.patch = sampled(pressed),
-              .coarse = sampled(press_map(pair, modulus, load, bodies, 2)),
-              .notes = {
-                  fmt::format("pressure by the numerical half-space on {} by {} cells of {} m by {} m", nx, ny, dx, dy),
-                  "errors hold the difference from half as many cells a side: an estimate"}};
+      return with({.patch = sampled(pressed),
+                   .coarse = sampled(press_map(pair, modulus, load, bodies, 2)),
+                   .notes = {fmt::format("pressure by the numerical half-space on {} by {} cells of {} m by {} m", nx,
+                                         ny, dx, dy),
+                             "errors hold the difference from half as many cells a side: an estimate"}},
+                  Steepness::of_pressure(pressed.peak_pressure.value, modulus));
     });
   } catch (const SceneError&) {
     throw;
@@ -127,10 +140,9 @@ RubbedBodies grid_of_bodies(const BodyPair& pair, double force, double modulus, 
 RubbedBodies rub(const BodyPair& pair, double normal_force, const TomlReader& contact) {
   const double modulus = contact::contact_modulus(pair.first.material, pair.second.material);
   if (const auto radius = relative_radius_of(pair)) {
-    const double a = contact::HertzCircle::under_force(normal_force, *radius, modulus).radius;
-    return disc(
-        hertz_disc(contact, a), computed_radius_error,
-        fmt::format("from two bodies by Hertz, a/R = {:.2g} (the half-space theory wants it small)", a / *radius));
+    const auto circle = contact::HertzCircle::under_force(normal_force, *radius, modulus);
+    return disc(hertz_disc(contact, circle.radius), computed_radius_error, "from two bodies by Hertz",
+                Steepness::of_circle(pair, circle.radius, circle.approach));
   }
   if (has_mesh(pair)) return ellipse_of_mesh(mesh_contact(pair, contact.place("bodies")), normal_force, modulus);
   const auto first = curved_surface(pair.first.shape);
@@ -140,11 +152,13 @@ RubbedBodies rub(const BodyPair& pair, double normal_force, const TomlReader& co
   const Shape* stamp = stamp_of(pair);
   if (stamp == nullptr) throw std::invalid_argument("these two shapes make no patch that friction is known of");
   if (const auto* punch = std::get_if<FlatPunchStamp>(stamp)) {
+    const auto pressed = contact::FlatPunch::under_force(punch->radius, normal_force, modulus);
     return disc({friction::FlatPunchDisc::of_radius(punch->radius),
                  fmt::format("disc under a flat punch, radius {} m", punch->radius)},
-                0, "from two bodies: a flat punch on a half-space");
+                0, "from two bodies: a flat punch on a half-space",
+                Steepness::of_stamp(punch->radius, pressed.approach));
   }
-  return disc(punch_stack(pair, normal_force, modulus), stamp_radius_error, "from two bodies: a stamp on a half-space");
+  return punch_stack(pair, normal_force, modulus);
 }
 
 }  // namespace patchgrip::cli

@@ -20,6 +20,7 @@ struct RubbedBodies {
   std::optional<friction::AnyPatch>
       coarse{};  // by half as many cells a side: how far the numerical pressure may be off
   std::vector<std::string> notes{};
+  std::vector<std::string> warnings{};
 };
 
 // `contact` for its 'model'. Library errors (std::invalid_argument) pass; Unanswered where a pressure does not

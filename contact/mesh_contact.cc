@@ -33,12 +33,12 @@ MeshContact MeshContact::of(const MeshCurvature& first, const MeshCurvature& sec
   // Counter-clockwise about the normal of p.
   const Eigen::Vector3d x = at(first.curvatures.direction_of_k_max), y = normal.cross(x);
   const Eigen::Vector3d other = at(second.curvatures.direction_of_k_max);
-  const auto radii = RelativeRadii::of_bodies(first.curvatures.radii(), second.curvatures.radii(),
-                                              std::atan2(other.dot(y), other.dot(x)));
+  const double turn = std::atan2(other.dot(y), other.dot(x));
+  const auto radii = RelativeRadii::of_bodies(first.curvatures.radii(), second.curvatures.radii(), turn);
   const double error = first.curvature_error + second.curvature_error;
   require_in("relative_curvature_error", error * radii.large, 0, 0.5);
   const Eigen::Vector3d a = std::cos(radii.angle_a) * x + std::sin(radii.angle_a) * y;
-  return {first, second, radii, error, {a[0], a[1], a[2]}};
+  return {first, second, turn, radii, error, {a[0], a[1], a[2]}};
 }
 
 MeshContact::Pressed MeshContact::under_force(double normal_force, double contact_modulus) const {

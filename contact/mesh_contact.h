@@ -34,6 +34,7 @@ struct MeshContact {
 
   MeshCurvature first;   // of p
   MeshCurvature second;  // of m
+  double turn;           // from k_max of p to k_max of m, counter-clockwise about the normal of p [rad]
   RelativeRadii radii;
   double curvature_error;  // bound of the error of 1/R_small and 1/R_large [1/m]
   Vector direction_a;      // of the major semi-axis, unit, in the tangent plane of p

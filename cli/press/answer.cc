@@ -8,6 +8,11 @@
 #include <patchgrip/version.h>
 
 namespace patchgrip::cli {
+
+void warn_if_steep(Answer& answer, const Steepness& steepness) {
+  if (!steepness.is_small()) answer.warnings.push_back(steepness.warning());
+}
+
 std::string to_json(const Answer& answer, std::string_view scene_path, std::string_view title,
                     const std::vector<std::string>& contact) {
   nlohmann::ordered_json json;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <patchgrip/cli/result.h>
+#include <patchgrip/cli/steepness.h>
 
 namespace patchgrip::cli {
 
@@ -25,6 +26,9 @@ struct Answer {
   std::vector<LawAnswer> beside;
   std::vector<std::string> warnings;
 };
+
+// Where the half-space theory does not hold any more (steepness.h).
+void warn_if_steep(Answer& answer, const Steepness& steepness);
 
 // One JSON object with a line break at the end. Throws std::range_error, naming the quantity, where a number is not
 // finite.

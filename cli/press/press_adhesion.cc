@@ -252,10 +252,9 @@ Pressed press_adhesive(double relative_radius, double contact_modulus, const Pre
   try_beside(result, "dmt", [&] { return dmt_answer(sphere, load); });
   try_beside(result, "hertz", [&] { return hertz_answer(sphere, load); });
   add_bodies(result.answer.main.results, sphere);
-  if (result.extent > narrow * relative_radius) {
-    result.answer.warnings.push_back(fmt::format(
-        "a/R = {:.3g} is not small: slopes of that order are outside the theory", result.extent / relative_radius));
-  }
+  const double elastic_approach = result.extent * result.extent / relative_radius;
+  warn_if_steep(result.answer,
+                Steepness::of_circle(std::get<BodyPair>(scene.subject), result.extent, elastic_approach));
   return result;
 }
 

@@ -157,6 +157,27 @@ class AtApproach {
   contact::Cycles<P> cycles_;
 };
 
+// At the times of the load; where the scene asks for the surface, at the last one alone.
+template <class Press>
+std::vector<Moment> moments_of(const Press& press, const PressScene& scene, const TimedLoad& load) {
+  std::vector<Moment> moments;
+  for (std::size_t i = scene.profile.times ? load.times.size() - 1 : 0; i < load.times.size(); ++i) {
+    InterruptGuard::check();
+    moments.push_back(press.at(load.times[i]));
+  }
+  return moments;
+}
+
+// Of the largest contact of these.
+template <class P>
+void warn_if_steep(Answer& answer, const PressScene& scene, const P& profile, const std::vector<Moment>& moments) {
+  double largest = 0;
+  for (const Moment& moment : moments) largest = std::max(largest, moment.radius.value);
+  if (largest == 0) return;
+  warn_if_steep(answer, Steepness::of_circle(std::get<BodyPair>(scene.subject), largest,
+                                             static_cast<double>(profile.approach(largest))));
+}
+
 void push(std::vector<double>& row, const Estimate& e) {
   row.push_back(e.value);
   row.push_back(e.error);
@@ -225,11 +246,12 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
     load.times_place.refuse(fmt::format("times from {} s on, where the force starts, and one after it", start));
   }
   const UnderForce<P> press(profile, creep, load);
+  const std::vector<Moment> moments = moments_of(press, scene, load);
   PressedOverTime result;
   say_rate(creep, result.head);
   const double last = load.times[load.times.size() - 1];
   result.answer.main = {
-      name.law, results_of(last, press.at(last)),
+      name.law, results_of(last, moments.back()),
       name.remark + (press.by_closed_form(last) ? "; Lee and Radok while the contact grows, Ting while it shrinks"
                                                 : "; independent springs, since the contact was lost or grew again")};
   if (press.grows_until() < last) {
@@ -242,6 +264,7 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
                                     {{"approach", e.value, e.error, "m"}},
                                     "Keppler 4.28 and 4.72, linear in F^(2/3): not the solution"});
   }
+  warn_if_steep(result.answer, scene, profile, moments);
   if (scene.profile.times) {
     result.table = surface_over_time(press, scene.profile);
     return result;
@@ -250,7 +273,7 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
   if (seed) result.table.columns.insert(result.table.columns.end(), {"seed_approach_m", "seed_approach_error_m"});
   for (std::size_t i = 0; i < load.times.size(); ++i) {
     InterruptGuard::check();
-    auto row = row_of(load.times[i], press.at(load.times[i]));
+    auto row = row_of(load.times[i], moments[i]);
     if (seed) push(row, contact::seed_creep_approach(profile, creep, load.history, load.times[i]));
     result.table.rows.push_back(std::move(row));
   }
@@ -264,31 +287,33 @@ PressedOverTime at_approach(const P& profile, const ProfileName& name, const Con
   PressedOverTime result;
   say_rate(creep, result.head);
   const double last = load.times[load.times.size() - 1];
-  const Moment end = press.at(last);
+  const std::vector<Moment> moments = moments_of(press, scene, load);
+  const Moment& end = moments.back();
   if (!end.stress_falls) {
     result.answer.warnings.push_back(
         fmt::format("at {} s the stress of the springs does not fall outward: the pressure may be negative", last));
   }
   result.answer.main = {name.law, results_of(last, end),
                         name.remark + "; a foundation of independent springs in closed form, any number of cycles"};
+  warn_if_steep(result.answer, scene, profile, moments);
   if (scene.profile.times) {
     result.table = surface_over_time(press, scene.profile);
     return result;
   }
   result.table = history_columns();
   for (std::size_t i = 0; i < load.times.size(); ++i) {
-    InterruptGuard::check();
-    result.table.rows.push_back(row_of(load.times[i], press.at(load.times[i])));
+    result.table.rows.push_back(row_of(load.times[i], moments[i]));
   }
   return result;
 }
 
-PressedOverTime growing_ellipse(const contact::RelativeRadii& radii, const ContactCreep& creep, const TimedLoad& load,
-                                const PressScene& scene) {
+PressedOverTime growing_ellipse(const CurvedSurface& first, const CurvedSurface& second, const ContactCreep& creep,
+                                const TimedLoad& load, const PressScene& scene) {
   if (load.kind != LoadKind::normal_force) {
     load.place.refuse("an ellipse over time is covered under a given force");
   }
   if (scene.profile.times) scene.profile.place->refuse("not covered for an ellipse over time");
+  const auto radii = at(scene.subject_place, [&] { return relative_radii_of(first, second); });
   PressedOverTime result;
   say_rate(creep, result.head);
   result.table.columns = {"t_s", "normal_force_N", "approach_m", "semi_axis_a_m", "semi_axis_b_m"};
@@ -305,6 +330,8 @@ PressedOverTime growing_ellipse(const contact::RelativeRadii& radii, const Conta
                            {"semi_axis_b", e.b, relative * e.b, "m"},
                            {"approach", e.approach, relative * e.approach, "m"}},
                           "Lee and Radok: the shape of the ellipse does not creep while it grows"};
+    warn_if_steep(result.answer,
+                  Steepness::of_ellipse(first, second, radii, first.direction + radii.angle_a, e.a, e.b));
   }
   return result;
 }
@@ -321,8 +348,7 @@ PressedOverTime press_over_time(const PressScene& scene) {
     const auto first = curved_surface(pair->first.shape);
     const auto second = curved_surface(pair->second.shape);
     if (first && second && !relative_radius_of(*pair)) {
-      const auto radii = relative_radii_of(*first, *second);
-      return at(load.place, [&] { return growing_ellipse(radii, creep, load, scene); });
+      return at(load.place, [&] { return growing_ellipse(*first, *second, creep, load, scene); });
     }
     return visit_profile(*pair, [&](auto profile, const ProfileName& name) {
       return at(load.place, [&] {

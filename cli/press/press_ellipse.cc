@@ -155,11 +155,7 @@ Pressed press_ellipse(const CurvedSurface& first, const CurvedSurface& second, d
                  }};
   add_approximation(result, e.normal_force, radii, modulus);
   add_circles(result, radii);
-  const double steepest = e.b / radii.small;
-  if (steepest > narrow) {
-    result.answer.warnings.push_back(
-        fmt::format("b/R_small = {:.3g} is not small: the half-space theory leaves out terms of its square", steepest));
-  }
+  warn_if_steep(result.answer, Steepness::of_ellipse(first, second, radii, direction.angle, e.a, e.b));
   return result;
 }
 

@@ -167,6 +167,7 @@ Pressed press_given_pressure(const GivenPressure& given, const PressScene& scene
                    const auto u = inverse->displacement(r);
                    return {patch.pressure_at(r), {u.value, u.error}, {0, 0}};
                  }};
+  warn_if_steep(result.answer, Steepness::of_stamp(patch.radius, approach.value));
   return result;
 }
 

@@ -172,6 +172,7 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
   if (!peak_is_resolved(*pressed)) {
     result.answer.warnings.emplace_back("the highest zone is too small for the grid: no peak pressure");
   }
+  warn_if_steep(result.answer, Steepness::of_pressure(pressed->peak_pressure.value, modulus));
   return result;
 }
 

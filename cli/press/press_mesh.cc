@@ -95,6 +95,7 @@ Pressed press_mesh(const BodyPair& pair, double modulus, const PressScene& scene
                    return {{value, (error.peak_pressure_error / p.peak_pressure + 4 * unit) * value + peak * height}};
                  }};
   result.knows_displacement = false;
+  warn_if_steep(result.answer, Steepness::of_mesh(contact, e.a, e.b));
   return result;
 }
 

@@ -15,6 +15,7 @@
 #include <patchgrip/cli/press/loaded.h>
 #include <patchgrip/cli/press/rounding.h>
 #include <patchgrip/cli/scene/profile_of.h>
+#include <patchgrip/cli/steepness.h>
 #include <patchgrip/contact/axisymmetric.h>
 #include <patchgrip/contact/dundurs.h>
 #include <patchgrip/contact/flat_punch.h>
@@ -114,10 +115,13 @@ void try_beside(Pressed& pressed, const std::string& law, P profile, const Stati
   }
 }
 
+double value_of(const LawAnswer& law, std::string_view name) {
+  return std::ranges::find(law.results, name, &Result::name)->value;
+}
+
 // Of a quantity that both laws have: by how much the other one is larger [%].
 double change(const LawAnswer& law, const LawAnswer& other, std::string_view name) {
-  const auto value = [name](const LawAnswer& of) { return std::ranges::find(of.results, name, &Result::name)->value; };
-  return 100 * (value(other) / value(law) - 1);
+  return 100 * (value_of(other, name) / value_of(law, name) - 1);
 }
 
 void warn_of_infinite_pressure(Pressed& pressed) {
@@ -212,19 +216,19 @@ Pressed press_balls(const BodyPair& pair, const PressScene& scene) {
   try_beside(result, "sphere", contact::Sphere::of_radius(radius), load, modulus,
              "a rigid sphere of the relative radius on a half-space: what Hertz leaves out of the shape");
   if (scene.mu && *scene.mu > 0) add_stick(result, pair, *scene.mu);
-  const double ratio = result.extent / radius;
-  if (ratio > narrow) {
-    std::string warning = fmt::format("a/R = {:.3g} is not small", ratio);
+  const auto steepness = Steepness::of_circle(pair, result.extent, value_of(result.answer.main, "approach"));
+  if (!steepness.is_small()) {
+    std::string warning = steepness.warning();
     const auto sphere = std::ranges::find(result.answer.beside, "sphere", &LawAnswer::law);
-    if (sphere != result.answer.beside.end()) {
+    if (sphere != result.answer.beside.end() && result.extent > narrow * radius) {
       const LawAnswer& hertz = result.answer.main;
       warning += fmt::format(
-          ": with the height of a sphere instead of its paraboloid force, approach and radius change by "
+          "; with the height of a sphere instead of its paraboloid force, approach and radius change by "
           "{:+.2g} %, {:+.2g} % and {:+.2g} %",
           change(hertz, *sphere, "normal_force"), change(hertz, *sphere, "approach"),
           change(hertz, *sphere, "contact_radius"));
     }
-    result.answer.warnings.push_back(warning + "; slopes and strains of that order are outside the half-space theory");
+    result.answer.warnings.push_back(std::move(warning));
   }
   return result;
 }
@@ -242,6 +246,7 @@ Pressed press_stamp(const BodyPair& pair, const PressScene& scene) {
   if (const auto* sphere = std::get_if<SphereStamp>(&stamp)) add_other_spheres(result, *sphere, load, modulus);
   add_modulus(result, modulus);
   if (punch == nullptr) warn_of_infinite_pressure(result);
+  warn_if_steep(result.answer, Steepness::of_stamp(result.extent, value_of(result.answer.main, "approach")));
   return result;
 }
 

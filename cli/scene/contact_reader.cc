@@ -45,6 +45,7 @@ Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials)
     result.extent = rubbed.extent;
     result.coarse = std::move(rubbed.coarse);
     result.notes = std::move(rubbed.notes);
+    result.warnings = std::move(rubbed.warnings);
     result.notes.push_back("body A: " + pair.first.words);
     result.notes.push_back("body B: " + pair.second.words);
     return result;

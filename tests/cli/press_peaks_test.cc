@@ -119,7 +119,8 @@ TEST(PressPeaks, SphereAtItsEquatorIsRefusedWithTheLimit) {
     const PressScene s =
         press_scene(stamp("stamp = \"sphere\"\nradius = 0.01", fmt::format("contact_radius = {}", 0.01 * ratio)));
     const Pressed pressed = press(s);
-    EXPECT_TRUE(pressed.answer.warnings.empty());
+    ASSERT_EQ(pressed.answer.warnings.size(), 1U);
+    EXPECT_THAT(pressed.answer.warnings.front(), HasSubstr("approach / contact radius"));
     for (const auto& row : surface_table(s, pressed).rows) {
       for (const double x : row) ASSERT_FALSE(std::isnan(x)) << ratio;
     }
