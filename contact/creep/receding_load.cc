@@ -5,6 +5,11 @@
 #include <cmath>
 
 namespace patchgrip::contact {
+namespace {
+
+constexpr double at_rest = 16 * 0x1p-53;  // of the stress of a past, relative (receding_load.h)
+
+}  // namespace
 
 RecedingLoad::RecedingLoad(ContactCreep creep, History force, double until)
     : creep_(std::move(creep)), force_(std::move(force)), grows_until_(until), valid_until_(until) {
@@ -102,27 +107,29 @@ std::vector<double> RecedingLoad::passes(double t) const {
 
 double RecedingLoad::first_end() const {
   const auto& pieces = force_.pieces();
-  // > 0 while the contact is there and shrinks.
-  const auto shrinking = [&](double t) {
+  // Lost, or growing again: by more than what rounds the stress, over the time that is left or since the last look.
+  const double until = valid_until_;
+  const auto ends = [&](double t, double since) {
     const double force = force_(t);
-    if (!(force > 0)) return -1.;
-    return stress_rate(past(t), t) - force_.rate(t);
+    if (!(force > 0)) return true;
+    const double growth = force_.rate(t) - stress_rate(past(t), t);
+    return growth * std::max(until - t, t - since) > at_rest * force;
   };
   for (std::size_t k = 0; k < pieces.size() && pieces[k].start < valid_until_; ++k) {
     const double end = k + 1 < pieces.size() ? std::min(valid_until_, pieces[k + 1].start) : valid_until_;
     if (end <= grows_until_) continue;
     double before = std::max(pieces[k].start, grows_until_);
     if (before > grows_until_ && force_.jump(k) > 0) return std::nextafter(before, force_.start());
-    if (before > grows_until_ && shrinking(before) < 0) return before;
+    if (before > grows_until_ && ends(before, before)) return before;
     for (const double t : look_times(pieces[k], std::nextafter(end, pieces[k].start))) {
       if (t <= before) continue;
-      if (shrinking(t) < 0) {
+      if (ends(t, before)) {
         // The first of the two ways to end: the sign alone says which side of it a time is on.
         double lo = before, hi = t;
         while (true) {
           const double middle = lo + (hi - lo) / 2;
           if (!(middle > lo && middle < hi)) return hi;
-          (shrinking(middle) < 0 ? hi : lo) = middle;
+          (ends(middle, before) ? hi : lo) = middle;
         }
       }
       before = t;

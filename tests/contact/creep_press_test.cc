@@ -331,6 +331,18 @@ TEST(Press, EndsWhereTheContactGrowsAgain) {
   EXPECT_DOUBLE_EQ(again.valid_until(), 1.1);
 }
 
+// Held until nothing is left to relax, then let go in part: what the contact grows by is below its rounding.
+TEST(Press, RestsAfterARelease) {
+  const auto creep = solid(1e6, 0.5e6, 2e5);  // relaxes within 0.2 or 0.4 s
+  const auto force = [](double held) { return History::points({{0, 1}, {held, 1}, {held, 0.2}, {2 * held, 0.2}}); };
+  const auto press = UnderForce::of(paraboloid(0.015), creep, force(20), 40);
+  EXPECT_EQ(press.valid_until(), 40);
+  const double relaxed = press.radius(20);
+  for (const double t : {20.5, 25., 30., 40.}) EXPECT_NEAR(press.radius(t) / relaxed, 1, 1e-14) << t;
+  // Let go early it does grow.
+  EXPECT_DOUBLE_EQ(UnderForce::of(paraboloid(0.015), creep, force(0.2), 0.4).valid_until(), 0.2);
+}
+
 TEST(Press, TheTipOfAConePressesWithoutLimit) {
   const auto press = PressUnderForce<Cone>::of(Cone::of_slope(0.1), solid(25000, 25000, 5000), History::ramp(1), 1);
   EXPECT_EQ(press.pressure(0, 0.5).value, INFINITY);
