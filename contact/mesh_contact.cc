@@ -14,19 +14,22 @@ Eigen::Vector3d at(const Vector& v) { return {v[0], v[1], v[2]}; }
 }  // namespace
 
 MeshContact MeshContact::between(const TriangleMesh& p, const TriangleMesh& m, const Vector& contact_point) {
-  return of(curvature_near(p, contact_point), curvature_near(m, contact_point));
+  return between(curvature_near(p, contact_point), curvature_near(m, contact_point));
 }
 
 MeshContact MeshContact::with_ball(const TriangleMesh& p, double ball_radius, const Vector& contact_point) {
-  const MeshCurvature first = curvature_near(p, contact_point);
+  return with_ball(curvature_near(p, contact_point), ball_radius);
+}
+
+MeshContact MeshContact::with_ball(const MeshCurvature& first, double ball_radius) {
   const double k = 1 / require_radius("ball_radius", ball_radius);
   PrincipalCurvatures ball = first.curvatures;
   ball.k_max = ball.k_min = k;
   for (double& component : ball.normal) component = -component;
-  return of(first, {ball, 0, first.point, 0});
+  return between(first, {ball, 0, first.point, 0});
 }
 
-MeshContact MeshContact::of(const MeshCurvature& first, const MeshCurvature& second) {
+MeshContact MeshContact::between(const MeshCurvature& first, const MeshCurvature& second) {
   const Eigen::Vector3d normal = at(first.curvatures.normal), opposite = at(second.curvatures.normal);
   require_in("angle_between_normals", std::atan2(normal.cross(opposite).norm(), -normal.dot(opposite)), 0, 0.2);
 

@@ -1,6 +1,7 @@
 // Hertz contact of bodies given as triangles: relative curvature from the fits, with the error that they carry.
 //
-// Both meshes lie in one frame, about to touch in the given point: their outward normals there are opposite. With k =
+// Both meshes lie in one frame, about to touch in the given point, or each in a frame of its own that is turned alike,
+// with a point of its own: their outward normals there are opposite. With k =
 // k_max along its direction as 1/R1 of each body (relative_radii.h), the sum of the two matrices of curvature is as
 // uncertain as the two fits together, the turn of their principal directions included,
 //
@@ -22,9 +23,11 @@ namespace patchgrip::contact {
 
 struct MeshContact {
   static MeshContact between(const TriangleMesh& p, const TriangleMesh& m, const Vector& contact_point);
+  static MeshContact between(const MeshCurvature& first, const MeshCurvature& second);
 
   // A ball, a plane (infinite radius) or a hollow (negative) that touches the mesh in the point.
   static MeshContact with_ball(const TriangleMesh& p, double ball_radius, const Vector& contact_point);
+  static MeshContact with_ball(const MeshCurvature& first, double ball_radius);
 
   struct Pressed {
     HertzEllipse ellipse;
@@ -38,9 +41,6 @@ struct MeshContact {
   RelativeRadii radii;
   double curvature_error;  // bound of the error of 1/R_small and 1/R_large [1/m]
   Vector direction_a;      // of the major semi-axis, unit, in the tangent plane of p
-
- private:
-  static MeshContact of(const MeshCurvature& first, const MeshCurvature& second);
 };
 
 }  // namespace patchgrip::contact

@@ -4,7 +4,10 @@
 #define CGAL_EIGEN3_ENABLED
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,7 +45,10 @@ class Neighbourhood {
     while (found_.size() < count) {
       if (next_.empty()) return false;
       const std::size_t vertex = next_.begin()->second;
-      if (mesh_.on_border(vertex)) return false;
+      if (mesh_.on_border(vertex)) {
+        border_ = vertex;
+        return false;
+      }
       next_.erase(next_.begin());
       found_.push_back(point_of(mesh_.vertices()[vertex]));
       for (const std::size_t other : mesh_.neighbours(vertex)) offer(other);
@@ -51,6 +57,23 @@ class Neighbourhood {
   }
 
   const std::vector<Point>& points() const { return found_; }
+
+  // Another vertex so close to the border vertex met that the two were meant to be one; its distance.
+  std::optional<double> seam() const {
+    if (!border_) return std::nullopt;
+    constexpr double meant_as_one = 1e-6;  // of the shortest side at the vertex
+    const Point at = point_of(mesh_.vertices()[*border_]);
+    double shortest = std::numeric_limits<double>::infinity(), nearest = shortest;
+    for (const std::size_t other : mesh_.neighbours(*border_)) {
+      shortest = std::min(shortest, CGAL::squared_distance(at, point_of(mesh_.vertices()[other])));
+    }
+    for (std::size_t other = 0; other < mesh_.vertices().size(); ++other) {
+      if (other == *border_ || !mesh_.on_border(other)) continue;
+      nearest = std::min(nearest, CGAL::squared_distance(at, point_of(mesh_.vertices()[other])));
+    }
+    if (!(nearest < meant_as_one * meant_as_one * shortest)) return std::nullopt;
+    return std::sqrt(nearest);
+  }
 
  private:
   void offer(std::size_t vertex) {
@@ -61,6 +84,7 @@ class Neighbourhood {
   const TriangleMesh& mesh_;
   Point centre_;
   std::vector<Point> found_;
+  std::optional<std::size_t> border_;
   std::set<std::size_t> seen_;
   std::set<std::pair<double, std::size_t>> next_;
 };
@@ -137,6 +161,12 @@ MeshCurvature curvature_near(const TriangleMesh& mesh, const Vector& point) {
   const Direction inwards(-normal[0], -normal[1], -normal[2]);
   Neighbourhood around(mesh, mesh.triangles()[closest.triangle], point_of(closest.point));
   if (!around.grow_to(fewest)) {
+    if (const auto apart = around.seam()) {
+      std::ostringstream text;
+      text << "mesh is open along a seam near the point: vertices that belong together lie " << *apart
+           << " m apart; corners of triangles must coincide exactly";
+      throw std::invalid_argument(text.str());
+    }
     throw std::invalid_argument("mesh has fewer than " + std::to_string(fewest) +
                                 " vertices around the point before its border or its end");
   }

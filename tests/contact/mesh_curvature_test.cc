@@ -157,5 +157,19 @@ TEST(MeshCurvature, AtAnEdgeTheEstimateIsAsLargeAsTheCurvature) {
   EXPECT_GE(found.curvature_error, 0.5 * std::abs(found.curvatures.k_max));
 }
 
+// A corner written with another rounding in one of its triangles.
+TEST(MeshCurvature, AnOpenSeamIsToldAsSuch) {
+  auto mesh = ellipsoid_mesh(4, 0.03, 0.02, 0.01);
+  const std::size_t split = mesh.triangles[0][0];
+  const Vector place = mesh.vertices[split];
+  mesh.vertices.push_back({place[0] + 1e-15, place[1], place[2]});
+  mesh.triangles[0][0] = mesh.vertices.size() - 1;
+  EXPECT_THAT([&] { curvature_near(TriangleMesh::of(mesh.vertices, mesh.triangles), place); },
+              ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("open along a seam")));
+  mesh.vertices.back()[0] = place[0] + 1e-4;
+  EXPECT_THAT([&] { curvature_near(TriangleMesh::of(mesh.vertices, mesh.triangles), place); },
+              ::testing::ThrowsMessage<std::invalid_argument>(::testing::HasSubstr("before its border")));
+}
+
 }  // namespace
 }  // namespace patchgrip::contact
