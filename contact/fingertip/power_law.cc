@@ -73,6 +73,8 @@ PowerLawFit PowerLawFit::to(std::span<const MeasuredRadius> points) {
           static_cast<double>(std::sqrt(squares / n)),
           static_cast<double>(std::sqrt(variance / xx)),
           static_cast<double>(std::sqrt(variance * (1 / n + mean_x * mean_x / xx))),
+          static_cast<double>(mean_x),
+          static_cast<double>(std::sqrt(variance / n)),
           static_cast<int>(points.size()),
           static_cast<double>(most - least),
           static_cast<double>(1.6L + 0x1p-7L * largest * largest / (most - least))};
@@ -86,6 +88,13 @@ Limits PowerLawFit::gamma_limits(double confidence) const {
 Limits PowerLawFit::c_limits(double confidence) const {
   const double factor = std::exp(student(points, confidence) * log_c_spread);
   return {law.c / factor, law.c * factor};
+}
+
+Limits PowerLawFit::radius_limits(double normal_force, double confidence) const {
+  const double from_mean = std::log(require_positive("normal_force", normal_force)) - mean_log;
+  const double factor = std::exp(student(points, confidence) * std::hypot(mean_spread, from_mean * gamma_spread));
+  const double radius = law.contact_radius(normal_force);
+  return {radius / factor, radius * factor};
 }
 
 }  // namespace patchgrip::contact

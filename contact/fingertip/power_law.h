@@ -9,7 +9,9 @@
 // to 0.307, 0.236, 0.175 at a/R = 0.5, 0.8, 0.9.
 //
 // fit() is the least squares line of ln a on ln F, unweighted; its confidence limits are those of a normal error of ln
-// a, by Student's t with n - 2 degrees of freedom.
+// a, by Student's t with n - 2 degrees of freedom; those of a radius at a force F from
+//
+//     var(ln a) = var(ln c) + 2 ln F cov(ln c, gamma) + ln^2 F var(gamma) = s^2 / n + (ln F - mean ln F)^2 var(gamma)
 //
 // Domain   fit: n >= 2 points, not all at one load; limits: n >= 3.
 // Units    F [N], a [m], c [m N^-gamma], gamma, rms_log [1].
@@ -48,11 +50,15 @@ struct PowerLawFit {
   // Of the stated probability that they hold the true value, e.g. 0.95; n >= 3.
   Limits gamma_limits(double confidence) const;
   Limits c_limits(double confidence) const;
+  // Of the law's radius at a force, from the errors of ln c and gamma together [m].
+  Limits radius_limits(double normal_force, double confidence) const;
 
   PowerLaw law;
   double rms_log;       // root mean square of the residuals of ln a [1]
   double gamma_spread;  // standard error of gamma [1]
   double log_c_spread;  // standard error of ln c [1]
+  double mean_log;      // of ln F, where errors of ln c and gamma are least together: cov = -mean_log gamma_spread^2
+  double mean_spread;   // standard error of ln a there [1]
   int points;           // n
   double log_range;     // of ln F over the points [1]
   double error_units;   // bound of the errors of gamma, absolute, and of c, relative, in units of 2^-53

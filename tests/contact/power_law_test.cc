@@ -1,6 +1,7 @@
 #include <patchgrip/contact/fingertip/power_law.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -113,7 +114,7 @@ TEST(PowerLawFit, ConfidenceLimitsCoverAsOftenAsTheySay) {
   std::mt19937_64 engine(20060261);
   std::normal_distribution<double> noise(0, 0.02);
   const int experiments = std::max(2000, cases(2000));
-  int gamma_covered = 0, c_covered = 0;
+  int gamma_covered = 0, c_covered = 0, radius_covered = 0;
   for (int i = 0; i < experiments; ++i) {
     std::vector<MeasuredRadius> points;
     for (const double force : {0.1, 0.4, 1., 3., 8.})
@@ -122,9 +123,26 @@ TEST(PowerLawFit, ConfidenceLimitsCoverAsOftenAsTheySay) {
     const auto gamma = fit.gamma_limits(0.95), c = fit.c_limits(0.95);
     gamma_covered += gamma.low <= 0.28 && 0.28 <= gamma.high;
     c_covered += c.low <= 0.004 && 0.004 <= c.high;
+    const double force = std::array{0.02, 0.9, 5., 200.}[static_cast<std::size_t>(i % 4)];
+    const auto radius = fit.radius_limits(force, 0.95);
+    const double truth = 0.004 * std::pow(force, 0.28);
+    radius_covered += radius.low <= truth && truth <= radius.high;
   }
   EXPECT_NEAR(static_cast<double>(gamma_covered) / experiments, 0.95, 0.02);
   EXPECT_NEAR(static_cast<double>(c_covered) / experiments, 0.95, 0.02);
+  EXPECT_NEAR(static_cast<double>(radius_covered) / experiments, 0.95, 0.02);
+}
+
+// At 1 N the radius is c, and far off it is the exponent that tells.
+TEST(PowerLawFit, LimitsOfTheRadiusAreThoseOfBothTogether) {
+  const std::vector<MeasuredRadius> points{{0.2, 3.1e-3}, {0.5, 4e-3}, {2, 6.1e-3}, {8, 9e-3}};
+  const auto fit = PowerLawFit::to(points);
+  const auto at_one = fit.radius_limits(1, 0.95), c = fit.c_limits(0.95);
+  EXPECT_NEAR(at_one.low / c.low, 1, 1e-14);
+  EXPECT_NEAR(at_one.high / c.high, 1, 1e-14);
+  const auto gamma = fit.gamma_limits(0.95), far = fit.radius_limits(1e100, 0.95);
+  EXPECT_NEAR(std::log(far.high / far.low) / (std::log(1e100) * (gamma.high - gamma.low)), 1, 0.01);
+  EXPECT_THROW(fit.radius_limits(0, 0.95), std::invalid_argument);
 }
 
 // Three points, one degree of freedom: Student's factor at 95 % is 12.7062.
