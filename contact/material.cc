@@ -2,6 +2,7 @@
 #include <patchgrip/contact/require.h>
 
 #include <limits>
+#include <stdexcept>
 
 namespace patchgrip::contact {
 Material Material::elastic(double youngs_modulus, double poisson_ratio) {
@@ -17,7 +18,9 @@ long double plane_compliance(const Material& body) {
 }
 
 double contact_modulus(const Material& first, const Material& second) {
-  const auto modulus = static_cast<double>(1 / (plane_compliance(first) + plane_compliance(second)));
+  const long double compliance = plane_compliance(first) + plane_compliance(second);
+  if (compliance == 0) throw std::invalid_argument("both bodies are rigid: to touch in an area one must be elastic");
+  const auto modulus = static_cast<double>(1 / compliance);
   return require_representable("contact_modulus", modulus);
 }
 
