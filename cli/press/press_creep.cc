@@ -79,6 +79,11 @@ class UnderForce {
   }
 
   bool by_closed_form(double t) const { return t <= press_.valid_until(); }
+  // Why not.
+  std::string end_in_words() const {
+    const double end = press_.valid_until();
+    return fmt::format("at {:.6g} s the contact {}", end, force_(end) > 0 ? "grew again" : "was lost");
+  }
   double grows_until() const { return press_.grows_until(); }
 
  private:
@@ -253,7 +258,7 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
   result.answer.main = {
       name.law, results_of(last, moments.back()),
       name.remark + (press.by_closed_form(last) ? "; Lee and Radok while the contact grows, Ting while it shrinks"
-                                                : "; independent springs, since the contact was lost or grew again")};
+                                                : "; independent springs, as " + press.end_in_words())};
   if (press.grows_until() < last) {
     result.answer.main.results.push_back({"grows_until", press.grows_until(), 1e-12 * press.grows_until(), "s"});
   }
