@@ -86,28 +86,43 @@ RoundPatch round_patch(const PatchVariant& any, double force) {
       any);
 }
 
-// No approach goes with an empirical pressure.
-Pressed with_pressure(LawAnswer answer, const contact::XydasKaoPressure& p, double relative_error) {
+// What a radius within a factor of p's does to the pressure at r. At a given r it is largest where (r/a)^alpha = 2/3.
+double scattered(const contact::XydasKaoPressure& p, double force, double factor, double r) {
+  const double steepest = r * std::pow(1.5, 1 / p.alpha);
+  const double middle = std::clamp(steepest, p.contact_radius / factor, p.contact_radius * factor);
+  double change = 0;
+  for (const double a : {p.contact_radius / factor, middle, p.contact_radius * factor}) {
+    const double other = contact::XydasKaoPressure::of(force, a, p.alpha).pressure(r);
+    change = std::max(change, std::fabs(other - p.pressure(r)));
+  }
+  return change;
+}
+
+// No approach goes with an empirical pressure. Its radius is within the factor of the true one, besides its rounding.
+Pressed with_pressure(LawAnswer answer, const contact::XydasKaoPressure& p, double force, double factor,
+                      double relative_error) {
   Pressed result{{std::move(answer), {}, {}}, p.contact_radius, [=](double x, double y) -> SurfacePoint {
                    const double r = std::hypot(x, y);
                    const double pressure = p.pressure(r);
                    const double rim = r < p.contact_radius ? p.contact_radius / (p.contact_radius - r) : 0;
-                   return {{pressure, relative_error * (1 + rim) * pressure}};
+                   const double scatter = factor > 1 ? scattered(p, force, factor, r) : 0;
+                   return {{pressure, relative_error * (1 + rim) * pressure + scatter}};
                  }};
   result.knows_displacement = false;
   return result;
 }
 
-Pressed press_power_law(std::string name, double alpha, const Estimate& force, const Estimate& radius,
+// The radius carries its rounding, and may be off by the factor besides.
+Pressed press_power_law(std::string name, double alpha, const Estimate& force, const Estimate& radius, double factor,
                         std::string remark) {
   const auto p = contact::XydasKaoPressure::of(force.value, radius.value, alpha);
   const double relative = force.error / force.value + 2 * radius.error / radius.value + 4 * unit;
   return with_pressure({std::move(name),
-                        {{"contact_radius", radius.value, radius.error, "m"},
+                        {{"contact_radius", radius.value, radius.error + (factor - 1) * radius.value, "m"},
                          {"normal_force", force.value, force.error, "N"},
-                         {"peak_pressure", p.peak_pressure, relative * p.peak_pressure, "Pa"}},
+                         {"peak_pressure", p.peak_pressure, (relative + factor * factor - 1) * p.peak_pressure, "Pa"}},
                         std::move(remark)},
-                       p, relative + 4 * unit);
+                       p, force.value, factor, relative + 4 * unit);
 }
 
 // F = 2 pi c h^2 [y - ln(1 + y)], y = delta/h, h = R - delta (winkler.h), and its derivatives. p = c (1 - g) g falls
@@ -142,6 +157,34 @@ Estimate winkler_approach(const contact::WinklerFingertip& bed, double force) {
   const double bend = winkler_bend(bed, delta) / 2;
   const double error = bend > 0 ? std::min(by_slope, std::sqrt(2 * missed / bend)) : by_slope;
   return {delta, error + unit * delta};
+}
+
+void warn_of_exponent(Answer& answer, double exponent) {
+  if (exponent > 1. / 3.) {
+    answer.warnings.emplace_back(
+        "exponent above 1/3: no elastic ball does that; measured fingertips have 0.11 to 0.33");
+  }
+}
+
+// Beyond the measured forces, and for radii that look like millimetres.
+void warn_of_range(Answer& answer, const MeasuredFingertip& tip, double force) {
+  constexpr double far = 2;              // beyond that a fit says more than was measured
+  constexpr double widest_finger = 0.1;  // [m]
+  const auto measured_force = [](const auto& point) { return point[0]; };
+  const auto measured_radius = [](const auto& point) { return point[1]; };
+  const auto [lightest, heaviest] = std::ranges::minmax(tip.points, {}, measured_force);
+  const double least = lightest[0], most = heaviest[0];
+  if (force > far * most || far * force < least) {
+    answer.warnings.push_back(
+        fmt::format("normal_force = {} N lies outside of the measured {} .. {} N by a factor of {:.3g}: the law is "
+                    "extrapolated, and its error holds only if it goes on like that",
+                    force, least, most, force > most ? force / most : least / force));
+  }
+  const double widest = std::ranges::max(tip.points, {}, measured_radius)[1];
+  if (widest > widest_finger) {
+    answer.warnings.push_back(
+        fmt::format("a measured contact radius of {} m is wider than any fingertip: radii are in m", widest));
+  }
 }
 
 }  // namespace
@@ -183,21 +226,24 @@ Pressed press_fingertip(const PowerLawFingertip& tip, const PressScene& scene) {
     const double F = law.normal_force(load.value);
     force = {F, (2 + std::fabs(std::log(load.value / law.c))) / law.gamma * unit * F};  // power_law.h
   }
-  Pressed result = press_power_law("power_law", tip.alpha, force, radius,
+  Pressed result = press_power_law("power_law", tip.alpha, force, radius, 1,
                                    "empirical: a = c F^gamma, pressure of Xydas and Kao (Keppler 4.3.2)");
-  if (tip.exponent > 1. / 3.) {
-    result.answer.warnings.emplace_back(
-        "exponent above 1/3: no elastic ball does that; measured fingertips have 0.11 to 0.33");
-  }
+  warn_of_exponent(result.answer, tip.exponent);
   return result;
 }
 
 Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
   const auto fit = at(scene.subject_place, [&] { return fit_to(tip); });
   const double force = force_of(scene);
-  Pressed result =
-      press_power_law("power_law_fit", tip.alpha, {force, 0}, radius_under(fit.law, force, fit.error_units),
-                      "least squares of ln a on ln F; limits by Student's t");
+  const Estimate radius = radius_under(fit.law, force, fit.error_units);
+  const double factor = fit.points > 2 ? fit.radius_limits(force, tip.confidence).high / radius.value : 1;
+  Pressed result = press_power_law(
+      "power_law_fit", tip.alpha, {force, 0}, radius, factor,
+      fmt::format("least squares of ln a on ln F; limits, and the error of the radius, by Student's t at {:g} %",
+                  100 * tip.confidence));
+  warn_of_exponent(result.answer,
+                   fit.points > 2 ? fit.gamma_limits(tip.confidence).low : fit.law.gamma - fit.error_units * unit);
+  warn_of_range(result.answer, tip, force);
   const double off = fit.error_units * unit;  // of gamma, ln c and what is left of ln a
   auto& results = result.answer.main.results;
   results.push_back({"c", fit.law.c, off * fit.law.c, "m N^-gamma"});
@@ -215,7 +261,8 @@ Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
     results.push_back({"c_low", c.low, c_error * c.low, "m N^-gamma"});
     results.push_back({"c_high", c.high, c_error * c.high, "m N^-gamma"});
   } else {
-    result.answer.warnings.emplace_back("two points fix the line: no confidence limits");
+    result.answer.warnings.emplace_back(
+        "two points fix the line: no confidence limits, and the error of the radius is that of the rounding");
   }
   return result;
 }

@@ -5,13 +5,17 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <boost/math/special_functions/gamma.hpp>
 
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/contact/fingertip/xydas_kao.h>
 #include <patchgrip/contact/stick_radius.h>
+#include <patchgrip/tests/support/cases.h>
 
 #include "press_bounds.h"
 
@@ -19,6 +23,8 @@ namespace patchgrip::cli {
 namespace {
 
 using namespace test;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(PressGiven, GivenPressureOfXydasAndKaoFromTheMiddleToTheRim) {
@@ -40,6 +46,53 @@ TEST(PressGiven, GivenPressureOfXydasAndKaoFromTheMiddleToTheRim) {
                     level > 0 ? Exact(peak * pow(level, step)) : Exact(0), fmt::format("alpha = {}", alpha));
     }
   }
+}
+
+std::string measured(double force, const char* points, double confidence = 0.95) {
+  return fmt::format("[contact]\nnormal_force = {}\n[contact.fingertip]\nmeasured = {}\nconfidence = {}\n", force,
+                     points, confidence);
+}
+
+// Of a law with a scatter of 2 %, the numbers that follow from the fit hold their errors as often as they say.
+TEST(PressGiven, MeasuredFingertipCarriesTheScatterOfItsFit) {
+  std::mt19937_64 engine(41);
+  std::normal_distribution<double> noise(0, 0.02);
+  const int experiments = std::max(1000, patchgrip::testing::cases(1000));
+  const auto truth = [](double force) { return 0.004 * std::pow(force, 0.28); };
+  int radius_held = 0, peak_held = 0, pressure_held = 0;
+  for (int i = 0; i < experiments; ++i) {
+    std::string points;
+    for (const double force : {0.1, 0.4, 1., 3., 8.}) {
+      points +=
+          fmt::format("{}[{}, {:.17g}]", points.empty() ? "[" : ", ", force, truth(force) * std::exp(noise(engine)));
+    }
+    const double force = patchgrip::testing::log_uniform(engine, 0.05, 16);
+    const Pressed pressed = press(press_scene(measured(force, (points + "]").c_str())));
+    const auto exact = contact::XydasKaoPressure::of(force, truth(force), 2);
+    const auto holds = [&](const Result& r, double value) { return std::fabs(r.value - value) <= r.error; };
+    radius_held += holds(result(pressed.answer.main, "contact_radius"), exact.contact_radius);
+    peak_held += holds(result(pressed.answer.main, "peak_pressure"), exact.peak_pressure);
+    const double r = patchgrip::testing::uniform(engine, 0, 1.1) * exact.contact_radius;
+    const Estimate p = pressed.surface(r, 0).pressure;
+    pressure_held += std::fabs(p.value - exact.pressure(r)) <= p.error;
+  }
+  // 0.95 but for one in 1e4 of such tests: 4 standard deviations.
+  EXPECT_GE(radius_held, 0.95 * experiments - 4 * std::sqrt(0.0475 * experiments));
+  EXPECT_LE(radius_held, 0.99 * experiments);
+  EXPECT_GE(peak_held, radius_held);
+  EXPECT_GE(pressure_held, 0.95 * experiments - 4 * std::sqrt(0.0475 * experiments));
+}
+
+TEST(PressGiven, MeasuredFingertipWarnsBeyondItsMeasurements) {
+  const char* points = "[[0.2, 3.1e-3], [0.5, 4e-3], [1, 4.9e-3], [2, 6.1e-3], [8, 9e-3]]";
+  const auto warnings = [&](double force, const char* of) {
+    return press(press_scene(measured(force, of))).answer.warnings;
+  };
+  EXPECT_TRUE(warnings(15, points).empty());
+  EXPECT_TRUE(warnings(0.11, points).empty());
+  EXPECT_THAT(warnings(200, points), ElementsAre(HasSubstr("outside of the measured 0.2 .. 8 N by a factor of 25")));
+  EXPECT_THAT(warnings(0.02, points), ElementsAre(HasSubstr("by a factor of 10")));
+  EXPECT_THAT(warnings(2, "[[1, 4], [2, 5], [3, 5.5]]"), ElementsAre(HasSubstr("radii are in m")));
 }
 
 TEST(PressGiven, FlatPunchPressureIsInfiniteAtItsEdge) {
