@@ -16,6 +16,8 @@
 namespace patchgrip::cli {
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blank = " \t\r";
   const auto begin = text.find_first_not_of(blank);
@@ -32,7 +34,7 @@ class Reader {
 
   NumberRows read() {
     for (std::string text; std::getline(in_, text);) {
-      ++line_;
+      if (++line_ == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
       const std::string_view row = trimmed(text);
       if (!row.empty() && row.front() != '#') read_row(row);
     }
@@ -88,6 +90,7 @@ class Reader {
   }
 
   double number(std::string_view text, std::size_t column) const {
+    if (text.empty()) fail(fmt::format("column {} is empty: a comma too many", column + 1));
     const auto value = parsed(text);
     if (value && std::isfinite(*value)) return *value;
     fail(fmt::format("column {}: '{}' is not a finite number", column + 1, printable(text, 30)));

@@ -10,6 +10,8 @@
 namespace patchgrip::contact {
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 class Reader {
  public:
   Reader(std::istream& in, std::string_view name) : in_(in), name_(name) {}
@@ -17,8 +19,8 @@ class Reader {
   HeightMap read() {
     std::string text;
     while (std::getline(in_, text)) {
-      ++line_;
       std::string_view rest = text;
+      if (++line_ == 1 && rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
       if (!rest.empty() && rest.back() == '\r') rest.remove_suffix(1);
       rest = trimmed(rest);
       if (rest.empty() || rest.front() == '#') continue;
@@ -62,6 +64,7 @@ class Reader {
   }
 
   double number(std::string_view text, int column) const {
+    if (text.empty()) fail("column " + std::to_string(column) + " is empty: a comma too many");
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc::result_out_of_range || (error == std::errc() && !std::isfinite(value))) {

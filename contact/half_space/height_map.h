@@ -5,7 +5,7 @@
 //     0.9e-6, 1.0e-6, 0.7e-6
 //
 // One line a row of the grid (constant y, the first line the least), numbers separated by commas; blanks around them
-// are ignored. All rows are of the same length. Heights in metres.
+// are ignored, as is a byte order mark. All rows are of the same length. Heights in metres.
 //
 // Domain   8 to 8192 rows and columns, 2^24 numbers in all, each finite.
 // Throws   std::invalid_argument, naming file, line, column and what is wrong.

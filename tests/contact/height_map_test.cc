@@ -55,6 +55,12 @@ TEST(HeightMap, LastLineNeedsNoEnd) {
   EXPECT_EQ(read(text).ny, 8);
 }
 
+TEST(HeightMap, AByteOrderMarkIsNoNumber) {
+  EXPECT_EQ(read("\xEF\xBB\xBF" + rows(8, 8)).heights, read(rows(8, 8)).heights);
+  EXPECT_THAT([] { read(row(8) + "\xEF\xBB\xBF" + row(8)); }, refused("map.csv:2: column 1: '\xEF\xBB\xBF"
+                                                                      "1e-6' is not a number"));
+}
+
 TEST(HeightMap, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT([] { read(""); }, refused("map.csv:0: 0 rows, must be at least 8"));
   EXPECT_THAT([] { read(rows(7, 8)); }, refused("map.csv:7: 7 rows, must be at least 8"));
@@ -65,8 +71,8 @@ TEST(HeightMap, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT([] { read(row(8) + "1,2,x3,4,5,6,7,8\n"); }, refused("map.csv:2: column 3: 'x3' is not a number"));
   EXPECT_THAT([] { read(row(8) + "1,2,3 4,4,5,6,7,8\n"); }, refused("map.csv:2: column 3: '3 4' is not a number"));
   EXPECT_THAT([] { read("1;2;3\n"); }, refused("map.csv:1: column 1: '1;2;3' is not a number"));
-  EXPECT_THAT([] { read("1,2,,4,5,6,7,8\n"); }, refused("map.csv:1: column 3: '' is not a number"));
-  EXPECT_THAT([] { read("1,2,3,4,5,6,7,8,\n"); }, refused("map.csv:1: column 9: '' is not a number"));
+  EXPECT_THAT([] { read("1,2,,4,5,6,7,8\n"); }, refused("map.csv:1: column 3 is empty: a comma too many"));
+  EXPECT_THAT([] { read("1,2,3,4,5,6,7,8,\n"); }, refused("map.csv:1: column 9 is empty: a comma too many"));
   EXPECT_THAT([] { read(row(8, "nan")); }, refused("map.csv:1: column 1: 'nan' is not a finite double"));
   EXPECT_THAT([] { read(row(8, "-inf")); }, refused("map.csv:1: column 1: '-inf' is not a finite double"));
   EXPECT_THAT([] { read(row(8, "1e400")); }, refused("map.csv:1: column 1: '1e400' is not a finite double"));
