@@ -105,6 +105,14 @@ std::optional<Result> jkr_stiffness(const AdhesiveSphere& sphere, const Adhesive
   return Result{"stiffness", s.stiffness, std::fabs(s.stiffness) * (4 * unit + unrounded) + 2 * by_y, "N/m"};
 }
 
+// What pulls harder than the contact holds.
+void refuse_beyond(double pull_off, const StaticLoad& load) {
+  if (load.kind == LoadKind::normal_force && load.value < pull_off) {
+    load.place.refuse(
+        fmt::format("normal_force = {} is not allowed: the contact pulls off at {:.6g} N", load.value, pull_off));
+  }
+}
+
 AdhesiveState state_of(const Jkr& jkr, const StaticLoad& load) {
   if (load.kind == LoadKind::normal_force) return jkr.under_force(load.value);
   return load.kind == LoadKind::approach ? jkr.at_approach(load.value) : jkr.at_radius(load.value);
@@ -179,13 +187,13 @@ LawAnswer maugis_answer(const MaugisDugdale& maugis, const MaugisState& s, LoadK
   return answer;
 }
 
-// A law beside the main one; where it has no contact under this load, a warning.
+// A law beside the main one; where it has no contact under this load, such as Hertz's under a pull, a warning.
 template <class F>
 void try_beside(Pressed& pressed, std::string_view law, F&& answer) {
   try {
     pressed.answer.beside.push_back(answer());
-  } catch (const std::invalid_argument& error) {
-    pressed.answer.warnings.push_back(fmt::format("{}: {}", law, error.what()));
+  } catch (const std::invalid_argument&) {
+    pressed.answer.warnings.push_back(fmt::format("{} has no contact under this load", law));
   }
 }
 
@@ -222,6 +230,7 @@ std::function<SurfacePoint(double, double)> jkr_surface(const AdhesiveSphere& sp
 }
 
 Pressed press_jkr(const AdhesiveSphere& sphere, const StaticLoad& load) {
+  refuse_beyond(Jkr(sphere).load_pull_off().normal_force, load);
   const AdhesiveState state = state_of(Jkr(sphere), load);
   const double unrounded = jkr_unrounded(load.kind, jkr_tension(sphere, state.contact_radius));
   Pressed result{{jkr_answer(sphere, load), {}, {}},
@@ -235,6 +244,7 @@ Pressed press_jkr(const AdhesiveSphere& sphere, const StaticLoad& load) {
 
 Pressed press_maugis(const AdhesiveSphere& sphere, const Adhesion& adhesion, const StaticLoad& load) {
   const auto maugis = at(adhesion.place, [&] { return MaugisDugdale::of(sphere, *adhesion.stress); });
+  refuse_beyond(maugis.pull_off().normal_force, load);
   const MaugisState state = state_of(maugis, load);
   Pressed result{{maugis_answer(maugis, state, load.kind), {}, {}}, state.contact_radius};
   try_beside(result, "jkr", [&] { return jkr_answer(sphere, load); });

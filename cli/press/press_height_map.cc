@@ -142,7 +142,11 @@ PressedHalfSpace press_map(const BodyPair& pair, double modulus, const StaticLoa
     const double digits = std::log(at.residual) / std::log(settings.tolerance);
     progress.at(static_cast<std::size_t>(100 * std::clamp(digits, 0., 1.)));
   };
-  return contact::press_half_space(gap.grid, surface, gap.values, modulus, press_of(load), settings);
+  try {
+    return contact::press_half_space(gap.grid, surface, gap.values, modulus, press_of(load), settings);
+  } catch (const std::domain_error& error) {
+    file.place.refuse(fmt::format("the map is too small for the contact: {}", error.what()));
+  }
 }
 
 Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene& scene) {

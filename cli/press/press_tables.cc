@@ -40,8 +40,12 @@ void add_law(Table& table, std::vector<double>& row, const LawAnswer& law, const
 
 Table surface_table(const PressScene& scene, const Pressed& pressed) {
   if (pressed.map && !scene.profile.distance) return *pressed.map;
+  if (!pressed.surface) {
+    (scene.adhesion ? scene.adhesion->place : scene.subject_place)
+        .refuse(
+            fmt::format("{} says nothing about the surface: its table is that of a [sweep]", pressed.answer.main.law));
+  }
   const Place& place = scene.profile.place ? *scene.profile.place : load_place(scene);
-  if (!pressed.surface) place.refuse(fmt::format("{} says nothing about the surface", pressed.answer.main.law));
   const Sequence distance = scene.profile.distances(pressed.extent);
   Table table{{"x_m", "y_m", "pressure_Pa", "pressure_error_Pa"}, {}};
   if (pressed.knows_displacement) {

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/tests/support/cases.h>
 
 #include "press_scenes.h"
@@ -99,6 +100,23 @@ TEST_F(PressHeightMap, EveryCellOfTheTableHasItsError) {
   for (const auto& row : map.rows) {
     EXPECT_LE(std::fabs(row[2] - hertz.pressure(std::hypot(row[0], row[1]))), row[3]) << row[0] << ' ' << row[1];
   }
+}
+
+TEST_F(PressHeightMap, AMapTooSmallForItsContactIsRefusedAtTheMap) {
+  const PressScene s = scene({.x = 1e-3, .y = -0.4e-3}, 0.5);
+  EXPECT_THAT([&] { press(s); },
+              ::testing::ThrowsMessage<SceneError>(HasSubstr(
+                  "height_map = \"cap.csv\": the map is too small for the contact: contact touches the border")));
+}
+
+TEST_F(PressHeightMap, ANegativePressureIsToldByItsRowAndColumn) {
+  write("p.csv", "# a comment\n1,2,3\n4,-5,6\n");
+  const std::string text =
+      "[contact]\npatch = \"pressure_grid\"\npressures = \"p.csv\"\ncell = [1e-3, 1e-3]\nnormal_force = 1\n"
+      "contact_modulus = 1e6\n";
+  EXPECT_THAT(
+      [&] { press_scene_here(text); },
+      ::testing::ThrowsMessage<SceneError>(HasSubstr("p.csv:3: row 2, column 2: a pressure of -5: must be >= 0")));
 }
 
 TEST(PressRoughSurface, APeakThatTheGridDoesNotResolveIsNotPrinted) {
