@@ -1,5 +1,7 @@
 #include <patchgrip/cli/press/press_mesh.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,7 @@ namespace patchgrip::cli {
 namespace {
 
 using contact::MeshContact;
+using contact::MeshCurvature;
 using contact::TriangleMesh;
 
 // In metres.
@@ -30,6 +33,32 @@ contact::Vector point_of(const MeshSurface& surface) {
   return point;
 }
 
+// At the mesh's place in the scene, whatever is wrong with it.
+MeshCurvature curvature_of(const MeshSurface& surface) {
+  return at(surface.place, [&] {
+    try {
+      return contact::curvature_near(read_mesh(surface), point_of(surface));
+    } catch (const std::runtime_error& error) {
+      surface.place.refuse(error.what());
+    }
+  });
+}
+
+// Principal radii of a body by its fit; where the fit cannot tell a curvature from 0, that curvature.
+void add_fit(std::vector<Result>& results, const std::string& body, const MeshCurvature& fit) {
+  const double error = fit.curvature_error;
+  int index = 0;
+  for (const double k : {fit.curvatures.k_max, fit.curvatures.k_min}) {
+    ++index;
+    if (std::fabs(k) > 2 * error) {
+      results.push_back(
+          {fmt::format("{}_radius_{}", body, index), 1 / k, error / (std::fabs(k) * (std::fabs(k) - error)), "m"});
+    } else {
+      results.push_back({fmt::format("{}_curvature_{}", body, index), k, error, "1/m"});
+    }
+  }
+}
+
 double radius_of(const Shape& shape) {
   if (std::holds_alternative<Plane>(shape)) return std::numeric_limits<double>::infinity();
   if (const auto* ball = std::get_if<Ball>(&shape)) return ball->radius;
@@ -42,13 +71,14 @@ MeshContact mesh_contact(const BodyPair& pair, const Place& bodies) {
   const auto* first = std::get_if<MeshSurface>(&pair.first.shape);
   const auto* second = std::get_if<MeshSurface>(&pair.second.shape);
   const MeshSurface& mesh = first != nullptr ? *first : *second;
-  const auto read = [](const MeshSurface& m) { return at(m.place, [&] { return read_mesh(m); }); };
+  const MeshCurvature curvature = curvature_of(mesh);
   if (first != nullptr && second != nullptr) {
-    return at(bodies, [&] { return MeshContact::between(read(*first), read(*second), point_of(*first)); });
+    const MeshCurvature other = curvature_of(*second);
+    return at(bodies, [&] { return MeshContact::between(curvature, other); });
   }
   const Shape& other = first != nullptr ? pair.second.shape : pair.first.shape;
   const double radius = at(bodies, [&] { return radius_of(other); });
-  return at(mesh.place, [&] { return MeshContact::with_ball(read_mesh(mesh), radius, point_of(mesh)); });
+  return at(mesh.place, [&] { return MeshContact::with_ball(curvature, radius); });
 }
 
 bool has_mesh(const BodyPair& pair) {
@@ -95,6 +125,12 @@ Pressed press_mesh(const BodyPair& pair, double modulus, const PressScene& scene
                    return {{value, (error.peak_pressure_error / p.peak_pressure + 4 * unit) * value + peak * height}};
                  }};
   result.knows_displacement = false;
+  auto& results = result.answer.main.results;
+  const bool first_is_mesh = std::holds_alternative<MeshSurface>(pair.first.shape);
+  add_fit(results, first_is_mesh ? "body_a" : "body_b", contact.first);
+  if (first_is_mesh && std::holds_alternative<MeshSurface>(pair.second.shape)) {
+    add_fit(results, "body_b", contact.second);
+  }
   warn_if_steep(result.answer, Steepness::of_mesh(contact, e.a, e.b));
   return result;
 }

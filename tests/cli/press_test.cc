@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/contact/hertz_circle.h>
 #include <patchgrip/contact/material.h>
 
@@ -212,6 +213,34 @@ TEST(Press, MeshOfAnEllipsoidAgreesWithItsRadii) {
     EXPECT_NEAR(r.value, value(exact.main, name), r.error) << name;
     EXPECT_LT(r.error, 0.15 * r.value) << name;
   }
+}
+
+TEST(Press, TwoMeshesTouchEachInItsOwnPoint) {
+  const auto meshes = [](const char* below) {
+    return fmt::format(
+        "[contact]\nnormal_force = 1.0\n"
+        "[[contact.bodies]]\nmesh = \"ellipsoid.off\"\nunit = 1e-3\npoint = [0, 0, 10]\nmaterial = "
+        "\"rubber\"\n[[contact.bodies]]\nmesh = \"ellipsoid.off\"\nunit = 1e-3\npoint = {}\nmaterial "
+        "= \"glass\"\n",
+        below);
+  };
+  const Answer answer = press(press_scene(meshes("[0, 0, -10]"))).answer;
+  for (const char* body : {"body_a", "body_b"}) {
+    const Result &narrow = result(answer.main, fmt::format("{}_radius_1", body)),
+                 &wide = result(answer.main, fmt::format("{}_radius_2", body));
+    EXPECT_NEAR(narrow.value, 0.04, narrow.error);  // ay^2 / az
+    EXPECT_NEAR(wide.value, 0.09, wide.error);
+    EXPECT_LT(wide.error, 0.2 * wide.value);
+  }
+  const Result& relative = result(answer.main, "radius_large");
+  EXPECT_NEAR(relative.value, 0.045, relative.error);
+
+  const auto refused = [&](const char* point, const char* why) {
+    EXPECT_THAT([&] { press(press_scene(meshes(point))); }, ::testing::ThrowsMessage<SceneError>(HasSubstr(why)));
+  };
+  refused("[0, 0, 10]", "contact.bodies: angle_between_normals");
+  refused("[0, 20, 0]", "contact.bodies: angle_between_normals");
+  refused("[0, 0, 7000]", "contact.bodies[1].mesh = \"ellipsoid.off\": distance of the point to the mesh");
 }
 
 TEST(Press, HeightMapCarriesItsForce) {
