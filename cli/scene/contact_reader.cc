@@ -67,6 +67,7 @@ Contact read_rubbed_fingertip(const TomlReader& contact) {
     if (const auto* const measured = std::get_if<MeasuredFingertip>(&tip.tip)) {
       const contact::PowerLawFit fit = fit_to(*measured);
       radius = radius_under(fit.law, force, fit.error_units);
+      if (fit.points > 2) radius.error += fit.radius_limits(force, measured->confidence).high - radius.value;
       alpha = measured->alpha;
     } else {
       const auto& given = *std::get_if<PowerLawFingertip>(&tip.tip);

@@ -109,14 +109,13 @@ TEST_F(PressHeightMap, AMapTooSmallForItsContactIsRefusedAtTheMap) {
                   "height_map = \"cap.csv\": the map is too small for the contact: contact touches the border")));
 }
 
-TEST_F(PressHeightMap, ANegativePressureIsToldByItsRowAndColumn) {
+TEST_F(PressHeightMap, ANegativePressureIsToldByItsLineAndColumn) {
   write("p.csv", "# a comment\n1,2,3\n4,-5,6\n");
   const std::string text =
       "[contact]\npatch = \"pressure_grid\"\npressures = \"p.csv\"\ncell = [1e-3, 1e-3]\nnormal_force = 1\n"
       "contact_modulus = 1e6\n";
-  EXPECT_THAT(
-      [&] { press_scene_here(text); },
-      ::testing::ThrowsMessage<SceneError>(HasSubstr("p.csv:3: row 2, column 2: a pressure of -5: must be >= 0")));
+  EXPECT_THAT([&] { press_scene_here(text); },
+              ::testing::ThrowsMessage<SceneError>(HasSubstr("p.csv:3: column 2: a pressure of -5: must be >= 0")));
 }
 
 TEST(PressRoughSurface, APeakThatTheGridDoesNotResolveIsNotPrinted) {

@@ -144,7 +144,7 @@ const std::vector<BadScene>& bad_scenes() {
       {"HollowTooSmall", bodies("plane = true", "radius = 0.009\nconcave = true"), 3,
        "contact.bodies: relative_radius"},
       {"TwoRigidBodies", with(bodies("material = \"rubber\"", "rigid = true"), "material = \"glass\"", "rigid = true"),
-       3, "contact.bodies: contact_modulus"},
+       3, "contact.bodies: both bodies are rigid"},
       {"StampWithAKink", bodies("radius = 0.01", "stamp = \"flat_end\"\nend_radius = 1e-3\nslope = 0.1"), 3,
        "a stamp with a flat end or kinks is pressed, but not rubbed"},
       {"StampsOnBallsAreNotRubbed",
