@@ -14,8 +14,8 @@ foreach(field "Package: patchgrip" "Version: ${VERSION}" "${depends}libc6" "${de
   endif()
 endforeach()
 
-execute_process(COMMAND dpkg-deb --extract ${package} ${work}/root COMMAND_ERROR_IS_FATAL ANY)
-file(GLOB_RECURSE files RELATIVE ${work}/root ${work}/root/*)
+execute_process(COMMAND dpkg-deb --extract ${package} ${work}/unpacked COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB_RECURSE files RELATIVE ${work}/unpacked ${work}/unpacked/*)
 foreach(file bin/patchgrip include/patchgrip/version.h include/patchgrip/contact/material.h
              include/patchgrip/friction/hertz_disc.h lib.*/libpatchgrip_friction.a lib.*/cmake/patchgrip/patchgripConfig.cmake
              share/doc/patchgrip/copyright share/patchgrip/materials/.*.toml share/patchgrip/scenes/.*.toml)
@@ -24,7 +24,7 @@ foreach(file bin/patchgrip include/patchgrip/version.h include/patchgrip/contact
   endif()
 endforeach()
 
-execute_process(COMMAND ${work}/root/usr/bin/patchgrip --version OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${work}/unpacked/usr/bin/patchgrip --version OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 if(NOT printed MATCHES "${VERSION}")
   message(FATAL_ERROR "patchgrip --version printed '${printed}'")
 endif()
