@@ -47,12 +47,12 @@ double RotationalPressure::height(double r) const {
   require_in("r", r, 0, radius);
   const double rho = r / radius;
   const int nodes = n + 1;
-  double sum = 0;
+  long double sum = 0;  // of up to a thousand terms: in double their roundings would add up
   for (int j = 1; j < nodes; ++j) {
     const double s = rho * std::sin(std::numbers::pi * std::min(j, nodes - j) / nodes);  // not of a rounded pi - x
     sum -= std::expm1(n * std::log1p(-s * s));
   }
-  return approach / nodes * sum;
+  return approach / nodes * static_cast<double>(sum);
 }
 
 double RotationalPressure::displacement(double r) const {

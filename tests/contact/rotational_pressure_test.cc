@@ -104,6 +104,23 @@ TEST(RotationalPressure, StatedErrorsHold) {
   EXPECT_LE(height, 20);
 }
 
+// Many terms, against the same sum, all of it positive, in fifty digits.
+TEST(RotationalPressure, HighPowersHoldTheErrorOfTheirHeight) {
+  std::mt19937_64 engine(438);
+  for (const int n : {100, 300, 1000}) {
+    const auto family = RotationalPressure::of_curvature(n, 1, 1, 1);
+    for (int i = 0; i < cases(20); ++i) {
+      const double r = i % 2 == 0 ? log_uniform(engine, 1e-3, 1) : uniform(engine, 0, 1);
+      Exact sum = 0;
+      for (int j = 1; j <= n; ++j) {
+        const Exact s = r * sin(boost::math::constants::pi<Exact>() * j / (n + 1));
+        sum += 1 - pow(1 - s * s, n);
+      }
+      EXPECT_LE(units_of_rounding(family.height(r), sum / (Exact(n) * (n + 1))), 20) << n << ' ' << r;
+    }
+  }
+}
+
 TEST(RotationalPressure, FirstOfTheFamilyIsHertz) {
   const auto family = RotationalPressure::of_curvature(1, 0.3, 2, 5);
   const auto hertz = AxisymmetricContact<Paraboloid>::at_radius(Paraboloid::of_radius(2), 0.3, 5);
