@@ -34,7 +34,7 @@
 
 namespace patchgrip::contact {
 
-// In cells, measured on Hertz' contacts, circles and ellipses to 5:1, on 64 to 1024 cells a side.
+// In cells, measured on Hertz' contacts, circles and ellipses to 5:1, on 64 to 1024 square cells a side.
 inline constexpr double edge_offset = 0.008;
 inline constexpr double edge_curvature_offset = 0.07;  // times the curvature of the edge
 inline constexpr double edge_error = 1. / 300;

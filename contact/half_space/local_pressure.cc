@@ -1,4 +1,5 @@
 #include <patchgrip/contact/half_space/local_pressure.h>
+#include <patchgrip/contact/half_space/measured.h>
 #include <patchgrip/contact/require.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 namespace patchgrip::contact {
 namespace {
 
-constexpr double order_factor = 2.4;  // as in measured.h
 constexpr std::size_t around = 4;
 
 // The cell around a coordinate, counted from the lower side: its centre is at 0, 1, ...
@@ -17,8 +17,7 @@ struct Place {
   double fraction;  // of the way to the next
 };
 
-Place place_of(double position, int cells, bool wraps) {
-  if (wraps) position -= cells * std::floor(position / cells);
+Place place_of(double position) {
   const double below = std::floor(position);
   return {static_cast<int>(below), position - below};
 }
@@ -43,8 +42,12 @@ std::optional<Estimate> local_pressure(const PressedHalfSpace& pressed, double x
   if (!wraps && !(std::fabs(x) <= 0.5 * grid.nx * grid.dx && std::fabs(y) <= 0.5 * grid.ny * grid.dy)) {
     return std::nullopt;
   }
-  const Place along_x = place_of(x / grid.dx + 0.5 * grid.nx - 0.5, grid.nx, wraps);
-  const Place along_y = place_of(y / grid.dy + 0.5 * grid.ny - 0.5, grid.ny, wraps);
+  if (wraps) {  // exactly, however far away
+    x = std::fmod(x, grid.nx * grid.dx);
+    y = std::fmod(y, grid.ny * grid.dy);
+  }
+  const Place along_x = place_of(x / grid.dx + 0.5 * grid.nx - 0.5);
+  const Place along_y = place_of(y / grid.dy + 0.5 * grid.ny - 0.5);
 
   std::array<std::array<double, around>, around> p{};
   double most = 0, least = INFINITY, refined = 0;
@@ -60,7 +63,8 @@ std::optional<Estimate> local_pressure(const PressedHalfSpace& pressed, double x
   }
   const double u = along_x.fraction, v = along_y.fraction;
   const double value = (1 - v) * ((1 - u) * p[1][1] + u * p[1][2]) + v * ((1 - u) * p[2][1] + u * p[2][2]);
-  double error = refined / order_factor + pressed.peak_pressure.error / pressed.peak_pressure.value * value;
+  const Estimate& peak = pressed.peak_pressure;  // its error may be infinite
+  double error = refined / order_factor + (value > 0 ? peak.error / peak.value * value : 0);
   if (least > 0) {
     double bent_x = 0, bent_y = 0;
     for (std::size_t k = 0; k < around; ++k) {

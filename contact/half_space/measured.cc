@@ -10,7 +10,6 @@
 namespace patchgrip::contact {
 namespace {
 
-constexpr double order_factor = 2.4;  // 2^order - 1 of what is measured on Hertz' contact
 // Errors of Hertz' contact over (h / a)^2, at least. For each zone, or all zones in the mean over their forces.
 constexpr double force_floor = 0.05, approach_floor = 0.035, peak_floor = 0.1;
 constexpr double unknown = std::numeric_limits<double>::infinity();
