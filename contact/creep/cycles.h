@@ -105,19 +105,27 @@ class Cycles {
     for (const double x : ends.places) {
       if (x > r) places.push_back(z_of(x));
     }
-    // q is what is left of stresses of the size of M(0) times the depth.
-    const double rounding = difference_rounding * law_.creep().modulus.instantaneous() * deepest(t);
-    const Estimate rest = integral(
-        places, [&](double z) { return (q - spring(std::hypot(r, z), t).stress) / (z * z); }, rounding / places[1]);
+    const auto fall = [&](double z) { return (q - spring(std::hypot(r, z), t).stress) / (z * z); };
+    // Next to r the difference is rounding: up to `near` its value there, and the slope in z^2 (no corner is so close).
+    // Close to the axis that slope changes too fast.
+    const double panel = places[1], shortest = first_point * panel;
+    const double near = nearest * std::min(r, panel) > shortest ? nearest * std::min(r, panel) : 0;
+    const double there = near > 0 ? fall(near) : 0;
+    const double bend = near > 0 ? (fall(2 * near) - there) / (3 * near * near) : 0;
+    const auto smooth_fall = [&](double z) { return z < near ? there + bend * (z - near) * (z + near) : fall(z); };
+    // q is what is left of stresses of the size of M(0) times the depth; 8 units of 2^-53 of them are off by 2.5 / near
+    // of that, or by what the first of the 21 points of a panel makes of it.
+    const double rounding = 8 * 0x1p-53 * law_.creep().modulus.instantaneous() * deepest(t);
+    const Estimate rest = integral(places, smooth_fall, rounding * (near > 0 ? 2.5 / near : first_weight / panel));
     constexpr double inverse_pi = std::numbers::inv_pi;
     return {inverse_pi * (q / edge + rest.value), inverse_pi * (4 * 0x1p-53 * q / edge + rest.error)};
   }
 
  private:
   static constexpr double stress_rounding = 1e-13;  // of q, relative to the one at the axis
-  // Of int (q(r) - q(x)) / z^2 dz over the panel next to r, times its length, relative to the stresses in q: 8 units of
-  // 2^-53 in a difference, 4e5 times as much by the first of the 21 points, z = 1.4e-5 of the length.
-  static constexpr double difference_rounding = 8 * 0x1p-53 * 4e5;
+  static constexpr double nearest = 1e-3;           // z, over r and over the panel next to it
+  // Of a panel: z of the first point over its length, and the sum over its points of their weights over z^2.
+  static constexpr double first_point = 1.4e-5, first_weight = 4e5;
 
   struct Ends {
     std::vector<double> places;  // 0 .. a

@@ -97,6 +97,24 @@ TEST(Cycles, OfOnePressAreTing) {
   }
 }
 
+TEST(Cycles, PressureHoldsItsErrorUpToTheAxis) {
+  std::mt19937_64 engine(20060462);
+  for (int i = 0; i < cases(8); ++i) {
+    const auto creep = any_solid(engine, i % 4 == 0);
+    const auto approach = History::points({{0, 0}, {uniform(engine, 0.4, 2), 0.1}, {2.5, 0}});
+    const auto press = PressAtApproach<PowerProfile>::of(paraboloid(1), creep, approach, 2.5);
+    const auto cycles = RoundCycles::of(paraboloid(1), creep, approach);
+    for (const double part : {0.1, 0.5, 0.8}) {
+      const double t = part * press.valid_until();
+      for (const double r : {0., 1e-300, 1e-12, 1e-6, 1e-3, 0.0137, 0.0143, 0.1}) {
+        const auto p = cycles.pressure(r * cycles.radius(t), t), q = press.pressure(r * cycles.radius(t), t);
+        EXPECT_LE(std::abs(p.value - q.value), p.error + q.error) << i << ": r/a = " << r;
+        EXPECT_LE(p.error, 1e-4 * q.value) << i << ": r/a = " << r;
+      }
+    }
+  }
+}
+
 RC_GTEST_PROP(Cycles, OfAnElasticBodyForget, (unsigned seed)) {
   std::mt19937_64 engine(seed);
   const auto creep = ContactCreep::against_rigid(ViscoelasticMaterial::elastic(Material::elastic(3, 0.5)));
