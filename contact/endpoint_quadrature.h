@@ -75,7 +75,7 @@ BasicEstimate<Real> bounded_integral(const Integrand& f, const Real& lo, const R
   int rises = 0;
   for (int level = 0; level < endpoint_levels; ++level) {
     Real sum = 0;
-    Real size = 0;
+    Real size = level == 0 ? absolute : Real(0);
     for (const auto& [distance, weight] : endpoint_nodes<Real>(level)) {
       const Real left = f(Real(distance * half), Real((2 - distance) * half));
       const Real right = f(Real((2 - distance) * half), Real(distance * half));
@@ -85,7 +85,7 @@ BasicEstimate<Real> bounded_integral(const Integrand& f, const Real& lo, const R
     if (!(size <= std::numeric_limits<Real>::max())) throw std::runtime_error("integrand is not finite");
     if (level == 0) {
       value += sum;
-      absolute += size;
+      absolute = size;
       continue;
     }
     const Real step = 1 / Real(1 << level);

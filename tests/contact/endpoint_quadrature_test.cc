@@ -67,6 +67,13 @@ TEST(EndpointQuadrature, BoundHoldsAlsoWhereTheIntegrandIsNotSmooth) {
   }
 }
 
+TEST(EndpointQuadrature, WhatIsNotFiniteInsideIsRefused) {
+  const auto pole = [](double left, double right) { return 1 / std::fabs(left - right); };
+  EXPECT_THROW(integrate_to_both_ends(pole, 0., 1.), std::runtime_error);
+  const auto undefined = [](double left, double) { return left == 0.5 ? std::nan("") : 1.; };
+  EXPECT_THROW(integrate_to_both_ends(undefined, 0., 1.), std::runtime_error);
+}
+
 TEST(EndpointQuadrature, EmptyRangeIsZero) {
   EXPECT_EQ(integrate_to_both_ends([](double, double) { return 1.; }, 1., 1.), 0);
 }
