@@ -162,6 +162,7 @@ MeshCurvature curvature_near(const TriangleMesh& mesh, const Vector& point) {
   Neighbourhood around(mesh, mesh.triangles()[closest.triangle], point_of(closest.point));
   if (!around.grow_to(fewest)) {
     if (const auto apart = around.seam()) {
+      if (*apart == 0) throw std::invalid_argument("mesh lists a vertex near the point twice: triangles must share it");
       std::ostringstream text;
       text << "mesh is open along a seam near the point: vertices that belong together lie " << *apart
            << " m apart; corners of triangles must coincide exactly";
