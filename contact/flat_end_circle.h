@@ -14,7 +14,7 @@
 //     n kappa_n = S/a + (n - 1) (b/a)^2 kappa_(n-2)
 //
 // Units    lengths [m]; the integrals [1/m] and [m].
-// Error    <= 8 units of 2^-53, relative; tests/contact/flat_end_paraboloid_test.cc.
+// Error    of the integrals <= 8 units of 2^-53, relative; tests/contact/flat_end_paraboloid_test.cc.
 // Fails    both integrals are infinite at r = b, logarithmically; 0 for r >= a.
 #pragma once
 
@@ -25,6 +25,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
+
+#include <patchgrip/contact/far_displacement.h>
 
 namespace patchgrip::contact {
 
@@ -93,23 +95,15 @@ FlatEndIntegrals<Real> flat_end_integrals(const Real& r, const BasicFlatEndCircl
           a.radius * sin + larger * ratio * ratio * sin * sin * sin * ellint_rd(cos2, c, Real(1)) / 3};
 }
 
-// sum_k c_k (a/r)^n m_n / n, n = 2k + 1, c_k = (1/2)_k / k!, of moment(n, kappa) = m_n.
+// The series of far_displacement.h, its moments moment(n, kappa_n).
 template <class Real, class Moment>
 Real far_flat_end_displacement(const Real& r, const BasicFlatEndCircle<Real>& a, const Moment& moment) {
-  const Real u = a.radius / r;
   const Real beta = a.end / a.radius;
   const Real sigma = a.reach / a.radius;
-  const Real first = u * moment(1, sigma);
-  Real rest = 0;  // less than an eighth of the first, so its many roundings do not count
-  Real c = u;     // c_k u^n
-  Real kappa = sigma;
-  for (int n = 1;; n += 2) {
-    c *= u * u * n / (n + 1);
-    kappa = (sigma + (n + 1) * beta * beta * kappa) / (n + 2);
-    const Real term = c / (n + 2) * moment(n + 2, kappa);
-    rest += term;
-    if (!(term > std::numeric_limits<Real>::epsilon() / 16 * first)) return first + rest;
-  }
+  return far_series(Real(a.radius / r), [&, kappa = sigma](int n) mutable -> Real {
+    if (n > 1) kappa = (sigma + (n - 1) * beta * beta * kappa) / n;
+    return moment(n, kappa);
+  });
 }
 
 }  // namespace patchgrip::contact

@@ -9,7 +9,7 @@
 //                                                                                                        (Ejike 1981)
 //
 // In u_z the last arctan is taken as B and a lead, or as t and a lag where the flat end is small, so that nothing
-// cancels; beyond r = sqrt(2) a it is a series of positive terms. The second integral of p is elliptic (for both see
+// cancels; beyond r = 5/4 a it is a series of positive terms. The second integral of p is elliptic (for both see
 // flat_end_circle.h). The first, by parts and with x = b / cos(v), is that of a logarithm that never changes sign,
 //
 //     v_M L(M) + int_(v_M)^t L(b / cos v) dv,   L(x) = ln [(a + sqrt(a^2 - r^2)) / (x + sqrt(x^2 - r^2))],
@@ -19,9 +19,9 @@
 // Domain   s, b > 0, a > b.
 // Units    s [1], b, r, a [m]; the rest as in axisymmetric.h.
 // Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 8 of F, 32 of p, 48 of u_z, 8 of
-//          the radius and of S; tests/contact/flat_end_cone_test.cc. Of u_z: its terms together are at most 5 times
-//          their sum (just within r = sqrt(2) a, or at the rim of a small flat end), each is good to 9, and 3 are of
-//          the factor in front.
+//          the radius and of S; tests/contact/flat_end_cone_test.cc. Of u_z: where the closed form cancels
+//          most (b = S, r = 5/4 a) the roundings of its terms, with their weights, come to 42, and 3 are of the factor
+//          in front.
 // Fails    p(b), logarithmically, and g'(b) are +infinity.
 // Throws   std::invalid_argument outside the domain; std::runtime_error where the radius is not found.
 #pragma once
@@ -96,7 +96,7 @@ class FlatEndCone {
     if (r <= a.radius) return approach(a) - height(r);
     const Real t = atan(a.reach / b_);
     const Real scale = 2 * slope_ / boost::math::constants::pi<Real>();
-    if (2 * (a.radius / r) * (a.radius / r) <= 1) {
+    if (5 * a.radius <= 4 * r) {
       const Real beta = b_ / a.radius;
       const auto moment = [&](int n, const Real& kappa) -> Real { return (t + n * beta * kappa) / (n + 1); };
       return scale * a.radius * far_flat_end_displacement(r, a, moment);

@@ -11,8 +11,9 @@
 // Domain   R, b > 0, a > b.
 // Units    R, b, r, a [m]; the rest as in axisymmetric.h.
 // Error    units of 2^-53, relative, for the arguments as given: 6 of delta and of g', 10 of F, 32 of p, 48 of u_z, 8
-//          of the radius and of S; tests/contact/flat_end_paraboloid_test.cc. Of u_z: its terms together are at most 4
-//          times their sum (just within r = sqrt(2) a), each is good to 11, and 4 are of the factor in front.
+//          of the radius and of S; tests/contact/flat_end_paraboloid_test.cc. Of u_z: its terms together are at most
+//          4.15 times their sum (b -> 0, r = sqrt(2) a); with their weights their roundings come to at most 42, and 4
+//          are of the factor in front.
 // Fails    p(b), logarithmically, and g'(b) are +infinity.
 // Throws   std::invalid_argument outside the domain.
 #pragma once

@@ -9,7 +9,8 @@
 //          narrower by (2/15) (a/R)^2.
 // Units    R, r, a [m]; the rest as in axisymmetric.h.
 // Error    units of 2^-53, relative: 3 of delta, 4 of F, 5 of p, 3 of the radius, 10 of u_z: 3 of the factor before the
-//          bracket, next to the rim 4 of (2 a^2 - r^2) / (a R), 2 of the arcsin and 1 of the sum;
+//          bracket, next to the rim 4 of (2 a^2 - r^2) / (a R), 2 of the arcsin and 1 of the sum; far away
+//          5 of the factor before the series and 4 of the series;
 //          tests/contact/paraboloid_test.cc.
 // Throws   std::invalid_argument outside the domain.
 #pragma once

@@ -16,9 +16,9 @@
 // Domain   chi > 0 (0: everything sticks, no need to ask).
 // Units    [1].
 // Error    units of 2^-53, relative, of everything above 1e-300 in size: s, 1 - s <= 2, their logarithms <= 1.1: one
-//          rounding to double, the rest in 64 bits. Of those the logarithm of L loses at most 8 times |ln L| <= 24, and
-//          1 - s loses 3 times 2 L <= 53; where L is larger or smaller, the limits above are exact to rounding.
-//          tests/contact/stick_radius_test.cc.
+//          rounding to double, the rest in 64 bits. Of those the logarithm of L loses at most 8 |ln L| <= 24 units,
+//          and 1 - s loses 3 (2 L), where 2 L <= 53; where L is larger or smaller, the limits above are exact to
+//          rounding. tests/contact/stick_radius_test.cc.
 // Fails    for large |beta_D|, where the coupling counts: it lowers s by 1 % at beta_D = 0.2, chi = 1, by 8 % at 0.45.
 //          s and 1 - s fall to 0 where they are below the range of double: their logarithms do not.
 // Throws   std::invalid_argument unless chi is positive and finite; std::runtime_error should the root not be found.

@@ -50,7 +50,7 @@ struct PowerLawFit {
   // Of the stated probability that they hold the true value, e.g. 0.95; n >= 3.
   Limits gamma_limits(double confidence) const;
   Limits c_limits(double confidence) const;
-  // Of the law's radius at a force, from the errors of ln c and gamma together [m].
+  // Of the law's radius at a force > 0 [N], from the errors of ln c and gamma together [m].
   Limits radius_limits(double normal_force, double confidence) const;
 
   PowerLaw law;
