@@ -5,9 +5,9 @@
 //
 // Domain   slope s > 0; small in theory, since surfaces are taken as flat.
 // Units    s [1], r, a [m]; the rest as in axisymmetric.h.
-// Error    units of 2^-53, relative: 3 of delta, 4 of F, 8 of p, 4 of the radius, 11 of u_z; tests/contact/cone_test.cc.
-//          Of u_z just within r = sqrt(2) a, a difference of terms twice as large: 3 are of the root, 5 of the terms, 3
-//          of the last steps.
+// Error    units of 2^-53, relative: 3 of delta, 4 of F, 8 of p, 4 of the radius, 11 of u_z. Of u_z just within
+//          r = sqrt(2) a, a difference of terms twice as large: 3 are of the root, 5 of the terms, 3 of the last steps.
+//          tests/contact/cone_test.cc.
 // Fails    p(0) is +infinity, a logarithm.
 // Throws   std::invalid_argument outside the domain.
 #pragma once

@@ -6,8 +6,8 @@
 //
 // in closed form, since dX fades with the times lambda_j alone. The contact grows until X would fall (`grows_until`;
 // that may be after the peak of the force), then shrinks until it is lost (F = 0), until the relaxing stress of what is
-// left of it exceeds the force and it grows again, or until a jump up. Under a held force what is left to relax makes it
-// grow for ever, soon by less than the rounding of the stress: that is rest, not growth.
+// left of it exceeds the force and it grows again, or until a jump up. Under a held force what is left to relax makes
+// it grow for ever, soon by less than the rounding of the stress: that is rest, not growth.
 //
 // Cost     of making it: some forty looks a piece, each of all pieces and modes; sampled forces go to springs.h.
 // Units    t [s], F [N], X [m^2].

@@ -1,7 +1,7 @@
 // One spring of the viscoelastic foundation that stands for a round contact, exact for a stamp that moves linearly.
 //
 //     touching   u = d(t) = delta(t) - g(x),   q = M_inf u + sum q_i,   q_i' = -q_i / tau_i + M_i u'
-//     free       q = 0,   u = u_rest + sum U_j exp(-t / lambda_j),   U_j = -lambda_j C_j sum_i q_i / (lambda_j - tau_i),
+//     free       q = 0,   u = u_rest + sum U_j exp(-t / lambda_j),   U_j = -lambda_j C_j sum_i q_i/(lambda_j - tau_i),
 //                q_i = -M_i tau_i sum_j U_j / (lambda_j - tau_i)
 //
 // It lets go when q would become negative and is met again when d reaches u. Under a given strain the modes tau_i live

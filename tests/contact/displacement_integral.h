@@ -26,7 +26,8 @@ Exact displacement_integral(const Rate& rate, double r, double a, double b) {
   return 2 / boost::math::constants::pi<Exact>() * contact::integrate_to_both_ends(integrand, Exact(0), reach);
 }
 
-// Radii where a displacement changes its size or its form: next to the rim, on both sides of 5/4 a and of sqrt(2) a, far away.
+// Radii where a displacement changes its size or its form: next to the rim, on both sides of 5/4 a and of sqrt(2) a,
+// far away.
 inline std::vector<double> radii_around(double a) {
   return {std::nextafter(a, std::numeric_limits<double>::infinity()),
           a * (1 + 1e-15),
