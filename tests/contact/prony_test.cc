@@ -31,7 +31,7 @@ using patchgrip::testing::units_of_rounding;
 auto refused(const std::string& message) { return ::testing::ThrowsMessage<std::invalid_argument>(message); }
 
 RelaxationModulus modulus_of(const ContactRow& row) {
-  const double equilibrium = row.row.at("inputs").contains("E_inf") ? row.input("E_inf") : 0;
+  const double equilibrium = row.input_or(0, "E_inf");
   return RelaxationModulus::of(equilibrium, {{row.input("E_1"), row.input("tau_1")},
                                              {row.input("E_2"), row.input("tau_2")},
                                              {row.input("E_3"), row.input("tau_3")}});
