@@ -1,9 +1,9 @@
 // Hertz contact of bodies given as triangles: relative curvature from the fits, with the error that they carry.
 //
 // Both meshes lie in one frame, about to touch in the given point, or each in a frame of its own that is turned alike,
-// with a point of its own: their outward normals there are opposite. With k =
-// k_max along its direction as 1/R1 of each body (relative_radii.h), the sum of the two matrices of curvature is as
-// uncertain as the two fits together, the turn of their principal directions included,
+// with a point of its own: their outward normals there are opposite. With k = k_max along its direction as 1/R1 of each
+// body (relative_radii.h), the sum of the two matrices of curvature is as uncertain as the two fits together, the turn
+// of their principal directions included,
 //
 //     |1/R_small - true|, |1/R_large - true| <= e_p + e_m,     e: curvature_error of mesh_curvature.h
 //

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -65,6 +66,27 @@ TEST(MeshContact, HoldsItsErrorsOnEllipsoids) {
   }
   RecordProperty("worst_of_bound", std::to_string(worst));
   EXPECT_LE(worst, 1);
+}
+
+TEST(MeshContact, TurnGoesFromThePToTheMDirectionAboutTheNormalOfP) {
+  const std::array axes{0.02, 0.04, 0.02};  // k_max along x
+  for (const double turn : {-1.2, -0.4, 0.4, 0.7, 1.2}) {
+    const auto contact = MeshContact::between(touching(5, axes, 0, -1), touching(5, axes, turn, 1), {0, 0, 0});
+    EXPECT_NEAR(std::remainder(contact.turn - turn, std::numbers::pi), 0, 0.02);
+  }
+}
+
+TEST(MeshContact, ABallAddsItsCurvature) {
+  const std::array axes{0.02, 0.04, 0.02};
+  const TriangleMesh mesh = touching(5, axes, 0, -1);
+  for (const double R : {0.03, static_cast<double>(INFINITY), -0.3}) {
+    const auto contact = MeshContact::with_ball(mesh, R, {0, 0, 0});
+    const auto exact = RelativeRadii::of_bodies(at_pole(axes), {R, R}, 0);
+    EXPECT_LE(std::abs(1 / contact.radii.small - 1 / exact.small), contact.curvature_error) << R;
+    EXPECT_LE(std::abs(1 / contact.radii.large - 1 / exact.large), contact.curvature_error) << R;
+    EXPECT_EQ(contact.curvature_error, contact.first.curvature_error);
+    EXPECT_EQ(MeshContact::with_ball(contact.first, R).radii.small, contact.radii.small);
+  }
 }
 
 TEST(MeshContact, BodiesThatDoNotFaceEachOtherAreRefused) {
