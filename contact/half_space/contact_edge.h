@@ -15,9 +15,10 @@
 //
 // Error    an estimate: perimeter times cell times edge_error, narrow_edge_error (one layer left out) or
 //          counted_edge_error, not below least_area_error where there is an edge. True errors are at most three times
-//          the estimate, on circles of three cells across or more and ellipses to 10:1, and often far below. Hertz'
-//          contact, radius 0.4 of the grid's width, anywhere on the grid: within 2.5e-4, 7e-5, 5e-5, 1e-5, 1e-5 of the
-//          area at 64, 128, 256, 512, 1024 cells a side. tests/contact/contact_edge_test.cc, press_test.cc.
+//          the estimate, on circles of three cells across or more and ellipses to 10:1, on cells as long as 8 times
+//          their width, and often far below. Hertz' contact, radius 0.4 of the grid's width, anywhere on a grid of
+//          square cells: within 2.5e-4, 7e-5, 5e-5, 1e-5, 1e-5 of the area at 64, 128, 256, 512, 1024 cells a side.
+//          tests/contact/contact_edge_test.cc, press_test.cc.
 // Fails    where a zone is too narrow to fit (about 6 cells), and where p does not fall to zero at the edge (a punch).
 //          Where that is so along more than half of the edge, the area is that of the cells with p > 0, and resolved is
 //          false. Zones closer than five cells disturb each other.

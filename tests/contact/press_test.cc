@@ -79,6 +79,27 @@ TEST(PressHalfSpace, EstimatesOfHertzAreRightWithinAFactorThree) {
   }
 }
 
+// The offsets of the edge were measured on square cells.
+TEST(PressHalfSpace, EstimatesOnOblongCellsAreNotTooSmall) {
+  std::mt19937_64 engine(20061205);
+  for (const int aspect : {2, 4, 8}) {
+    for (int k = 0; k < patchgrip::testing::cases(4); ++k) {
+      const int cells = 64 << k % 2;
+      const double h = 2.5 / cells;
+      const Grid grid = Grid::of_cells(cells, cells / aspect + 6, h, aspect * h);
+      const double x = patchgrip::testing::uniform(engine, -0.5, 0.5);
+      const double y = patchgrip::testing::uniform(engine, -0.5, 0.5);
+      const auto pressed = press(grid, paraboloid(x * grid.dx, y * grid.dy), Press::by_approach(1));
+      const auto expect_covered = [&](const Estimate& estimate, double exact, const char* what) {
+        EXPECT_LE(std::abs(estimate.value - exact), 3 * estimate.error) << what << ' ' << cells << ", 1 by " << aspect;
+      };
+      expect_covered(pressed.force, 4. / 3., "force");
+      expect_covered(pressed.peak_pressure, 2 / pi, "peak");
+      expect_covered(pressed.area, pi, "area");
+    }
+  }
+}
+
 // Of a few cells the two grids often agree by chance: the estimates do not believe them.
 TEST(PressHalfSpace, EstimatesOfSmallContactsAreNotTooSmall) {
   std::mt19937_64 engine(20061204);
