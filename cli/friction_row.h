@@ -1,7 +1,7 @@
 // One row of a friction table: the wrench of a scene's contact in one motion, and the bound of its error.
 //
 // The bound is about the exact result for the numbers of the scene as doubles: rounding of the twist, of a
-// radius that follows from bodies, and of the sum of forces of parts is part of it.
+// radius that follows from bodies, its scatter where it is fitted, and of the sum of forces of parts is part of it.
 #pragma once
 
 #include <algorithm>
@@ -29,6 +29,9 @@ WrenchError error_of_contact(const Contact& contact, const friction::Law& law, d
     error = error_of_radius(law, normal_force, disc, contact.radius_error);
   } else if (v.w != 0 && contact.shape_error > 0) {
     error = error_of_shape(law, normal_force, ShapeMotion::of(patch, centre, contact.extent, v), contact.shape_error);
+  }
+  if (v.w != 0 && contact.scatter) {
+    error = error_of_scatter(law, normal_force, *contact.scatter, centre, v);
   }
   if (contact.coarse) {
     const friction::Wrench g =

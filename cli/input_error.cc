@@ -65,4 +65,29 @@ WrenchError error_of_shape(const Law& law, double normal_force, const ShapeMotio
   return {force, moment + std::hypot(centre.x, centre.y) * force};
 }
 
+WrenchError error_of_scatter(const Law& law, double normal_force, const RadiusScatter& scatter,
+                             const friction::Pole& centre, const Twist& v) {
+  const Twist moved = moved_to(centre, v);
+  const PressureMoments moments = scatter.own.moments();
+  const friction::BoundedWrench g = scatter.own.bounded_gradient(moved);
+  const double mu = friction::coefficient(law, moments, moved);
+  double most_mu = mu, dmu = 0, force = 0, moment = 0, viscous = 0;
+  for (const friction::AnyPatch* end : {&scatter.narrow, &scatter.wide}) {
+    const PressureMoments other = end->moments();
+    const friction::BoundedWrench h = end->bounded_gradient(moved);
+    const double end_mu = friction::coefficient(law, other, moved);
+    most_mu = std::max(most_mu, end_mu);
+    dmu = std::max(dmu, std::fabs(end_mu - mu));
+    force = std::max(force, std::hypot(h.value.fx - g.value.fx, h.value.fy - g.value.fy) + h.force_error);
+    moment = std::max(moment, std::fabs(h.value.m - g.value.m) + h.moment_error);
+    viscous = std::max(viscous, std::fabs(other.polar - moments.polar));
+  }
+  const double df =
+      normal_force * (most_mu * (force + g.force_error) + dmu * (std::hypot(g.value.fx, g.value.fy) + g.force_error));
+  const double dm =
+      normal_force * (most_mu * (moment + g.moment_error) + dmu * (std::fabs(g.value.m) + g.moment_error) +
+                      law.mu_viscous * std::fabs(v.w) * viscous);
+  return {df, dm + std::hypot(centre.x, centre.y) * df};
+}
+
 }  // namespace patchgrip::cli

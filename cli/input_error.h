@@ -10,11 +10,15 @@
 //               T = H_xx + H_yy >= integral p / |v_P|, and u the velocity of the centre, about which the pressure is
 //               symmetric,
 //               |df| <= delta |w| e T,   |dm| <= delta e (min(1, 2 e |w| / |u|) + |w| e T)
+//     scatter   a round patch whose radius lies between two that are finitely apart. D = |w| S(distance of the pole), S
+//               convex; so with the radius the force about the centre falls, the moment grows, and so does v_m: they
+//               are nowhere as far off as at one of the ends.
 //
 // Units    bounds [N], [N m], the moment about the contact frame's origin.
 // Error    products of two rounding errors are left out.
 #pragma once
 
+#include <patchgrip/friction/any_patch.h>
 #include <patchgrip/friction/law.h>
 #include <patchgrip/friction/patch.h>
 #include <patchgrip/friction/twist.h>
@@ -68,5 +72,14 @@ WrenchError error_of_shape(const friction::Law& law, double normal_force, const 
 
 // Where the radius of the disc has the relative error `delta`; v may not be 0.
 WrenchError error_of_radius(const friction::Law& law, double normal_force, const DiscMotion& disc, double delta);
+
+// A round patch about the origin, and what it is at the ends of the radii that it may have.
+struct RadiusScatter {
+  friction::AnyPatch own, narrow, wide;
+};
+
+// Of these patches, moved to `centre`.
+WrenchError error_of_scatter(const friction::Law& law, double normal_force, const RadiusScatter& scatter,
+                             const friction::Pole& centre, const friction::Twist& v);
 
 }  // namespace patchgrip::cli

@@ -20,20 +20,39 @@ using friction::LimitSurface;
 
 constexpr double unit = 0x1p-53;
 
-LoadAnswer answer_with(const LimitSurface<AnyPatch>& surface, const std::optional<LimitSurface<AnyPatch>>& coarse,
-                       const Capacity& capacity, const friction::Wrench& load) {
-  return coarse ? answer_load(surface, *coarse, capacity, load) : answer_load(surface, capacity, load);
-}
+// The limit surface, and those that tell how far it may be off.
+struct Surfaces {
+  using Surface = LimitSurface<AnyPatch>;
+
+  static Surfaces of(const Contact& contact) {
+    const auto other = [&](const AnyPatch& patch) { return Surface(placed(patch, contact.frame)); };
+    Surfaces all{Surface(any_patch(contact)), {}, {}, {}, {contact.frame.x, contact.frame.y}};
+    if (contact.coarse) all.coarse.emplace(other(*contact.coarse));
+    if (contact.scatter) {
+      all.narrow.emplace(other(contact.scatter->narrow));
+      all.wide.emplace(other(contact.scatter->wide));
+    }
+    return all;
+  }
+
+  LoadAnswer answer(const Capacity& capacity, const friction::Wrench& load) const {
+    if (narrow) return answer_load(own, *narrow, *wide, centre, capacity, load);
+    return coarse ? answer_load(own, *coarse, capacity, load) : answer_load(own, capacity, load);
+  }
+
+  Surface own;
+  std::optional<Surface> coarse, narrow, wide;
+  friction::Pole centre;
+};
 
 // What holds for all loads: how much force and moment at most.
-std::vector<Result> contact_results(const LimitScene& scene, const LimitSurface<AnyPatch>& surface,
-                                    const std::optional<LimitSurface<AnyPatch>>& coarse, const Capacity& capacity) {
+std::vector<Result> contact_results(const LimitScene& scene, const Surfaces& surfaces, const Capacity& capacity) {
   std::vector<Result> results{
       {"normal_force", scene.contact.normal_force, scene.contact.sum_error * scene.contact.normal_force, "N"}};
   if (!has_friction(scene)) return results;
   if (scene.mu) results.push_back({"mu", *scene.mu, 0, "1"});
   results.push_back({"greatest_force", capacity.value, capacity.relative_error * capacity.value, "N"});
-  const LoadAnswer pure = answer_with(surface, coarse, capacity, {0, 0, 1});
+  const LoadAnswer pure = surfaces.answer(capacity, {0, 0, 1});
   if (pure.gauge.value > 0 && std::isfinite(pure.gauge.value)) {
     results.push_back({"greatest_moment_alone", pure.margin.value, pure.margin.error, "N m"});
   }
@@ -55,20 +74,17 @@ Capacity capacity_of(const LimitScene& scene) {
 }
 
 LimitAnswer answer_limit(const LimitScene& scene) {
-  const LimitSurface surface{any_patch(scene.contact)};
-  std::optional<LimitSurface<AnyPatch>> coarse;
-  if (scene.contact.coarse) coarse.emplace(placed(*scene.contact.coarse, scene.contact.frame));
+  const Surfaces surfaces = Surfaces::of(scene.contact);
   const Capacity capacity = capacity_of(scene);
-  LimitAnswer answer{at(scene.contact_place, [&] { return contact_results(scene, surface, coarse, capacity); }),
-                     {},
-                     scene.contact.warnings};
+  LimitAnswer answer{
+      at(scene.contact_place, [&] { return contact_results(scene, surfaces, capacity); }), {}, scene.contact.warnings};
   const std::size_t count = scene.loads.size();
   Progress progress("limit", count, Progress::wanted(Progress::no_output));
   answer.loads.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     InterruptGuard::check();
     const friction::Wrench load = scene.loads[i];
-    LoadAnswer held = at(scene.loads.place(i), [&] { return answer_with(surface, coarse, capacity, load); });
+    LoadAnswer held = at(scene.loads.place(i), [&] { return surfaces.answer(capacity, load); });
     if (held.gauge.status == GaugeStatus::not_finite || !std::isfinite(held.gauge_error)) {
       scene.loads.place(i).refuse(fmt::format("the gauge of the load ({} N, {} N, {} N m) leaves the range of a double",
                                               load.fx, load.fy, load.m));

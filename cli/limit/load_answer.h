@@ -9,6 +9,8 @@
 // Errors   gauge: the bracket of the library's certificate, and what the rounding of a shape that follows from bodies
 //          does to it. Points of a pressure that is symmetric about its centre, moved by at most delta of their
 //          distance from it, change D by no more than delta |w| S(centre) <= delta D, and so g by delta / (1 - delta).
+//          Of a fitted radius, what it may be finitely off by: gauge and slip change one way with it, and lie between
+//          those of the ends.
 //          Where the pressure is computed on a grid, the difference from half as many cells is added to all.
 //          slip and pole: estimates (slip_error.h), infinite where the load starts no one slip: on a ridge, and where
 //          the bracket is all that is known. Gauge, margin and verdict hold there as elsewhere.
@@ -67,6 +69,9 @@ Slip slip_of(const friction::Gauge& gauge, const friction::Wrench& load, const f
 LoadAnswer answer_of(const friction::Wrench& load, const friction::Gauge& gauge, const Slip& slip, double area_radius,
                      const Capacity& capacity) noexcept;
 
+LoadAnswer answer_between(const LoadAnswer& answer, double area_radius, const LoadAnswer& narrow, double narrow_radius,
+                          const LoadAnswer& wide, const friction::Pole& centre, const Capacity& capacity) noexcept;
+
 }  // namespace limit
 
 template <friction::Patch P>
@@ -93,6 +98,18 @@ LoadAnswer answer_load(const friction::LimitSurface<P>& surface, const friction:
   answer.slip.spin_error += std::fabs(u.w - v.w);
   answer.slip.pole_error += std::hypot(fine.slip.pole.x - other.slip.pole.x, fine.slip.pole.y - other.slip.pole.y);
   return answer;
+}
+
+// The same of a round patch about `centre` whose radius lies between two that are finitely apart: those of `narrow` and
+// `wide`.
+template <friction::Patch P>
+LoadAnswer answer_load(const friction::LimitSurface<P>& surface, const friction::LimitSurface<P>& narrow,
+                       const friction::LimitSurface<P>& wide, const friction::Pole& centre, const Capacity& capacity,
+                       const friction::Wrench& load) noexcept {
+  const LoadAnswer answer = answer_load(surface, capacity, load);
+  if (!answer.loaded()) return answer;
+  return limit::answer_between(answer, surface.patch().area_radius(), answer_load(narrow, capacity, load),
+                               narrow.patch().area_radius(), answer_load(wide, capacity, load), centre, capacity);
 }
 
 }  // namespace patchgrip::cli

@@ -112,13 +112,13 @@ Pressed with_pressure(LawAnswer answer, const contact::XydasKaoPressure& p, doub
   return result;
 }
 
-// The radius carries its rounding, and may be off by the factor besides.
+// The radius is off by its rounding, or by the factor that holds it.
 Pressed press_power_law(std::string name, double alpha, const Estimate& force, const Estimate& radius, double factor,
                         std::string remark) {
   const auto p = contact::XydasKaoPressure::of(force.value, radius.value, alpha);
   const double relative = force.error / force.value + 2 * radius.error / radius.value + 4 * unit;
   return with_pressure({std::move(name),
-                        {{"contact_radius", radius.value, radius.error + (factor - 1) * radius.value, "m"},
+                        {{"contact_radius", radius.value, factor > 1 ? (factor - 1) * radius.value : radius.error, "m"},
                          {"normal_force", force.value, force.error, "N"},
                          {"peak_pressure", p.peak_pressure, (relative + factor * factor - 1) * p.peak_pressure, "Pa"}},
                         std::move(remark)},
@@ -159,34 +159,6 @@ Estimate winkler_approach(const contact::WinklerFingertip& bed, double force) {
   return {delta, error + unit * delta};
 }
 
-void warn_of_exponent(Answer& answer, double exponent) {
-  if (exponent > 1. / 3.) {
-    answer.warnings.emplace_back(
-        "exponent above 1/3: no elastic ball does that; measured fingertips have 0.11 to 0.33");
-  }
-}
-
-// Beyond the measured forces, and for radii that look like millimetres.
-void warn_of_range(Answer& answer, const MeasuredFingertip& tip, double force) {
-  constexpr double far = 2;              // beyond that a fit says more than was measured
-  constexpr double widest_finger = 0.1;  // [m]
-  const auto measured_force = [](const auto& point) { return point[0]; };
-  const auto measured_radius = [](const auto& point) { return point[1]; };
-  const auto [lightest, heaviest] = std::ranges::minmax(tip.points, {}, measured_force);
-  const double least = lightest[0], most = heaviest[0];
-  if (force > far * most || far * force < least) {
-    answer.warnings.push_back(
-        fmt::format("normal_force = {} N lies outside of the measured {} .. {} N by a factor of {:.3g}: the law is "
-                    "extrapolated, and its error holds only if it goes on like that",
-                    force, least, most, force > most ? force / most : least / force));
-  }
-  const double widest = std::ranges::max(tip.points, {}, measured_radius)[1];
-  if (widest > widest_finger) {
-    answer.warnings.push_back(
-        fmt::format("a measured contact radius of {} m is wider than any fingertip: radii are in m", widest));
-  }
-}
-
 }  // namespace
 
 Pressed press_given_pressure(const GivenPressure& given, const PressScene& scene) {
@@ -221,29 +193,26 @@ Pressed press_fingertip(const PowerLawFingertip& tip, const PressScene& scene) {
   Estimate force{load.value, 0};
   Estimate radius{load.value, 0};
   if (load.kind == LoadKind::normal_force) {
-    radius = radius_under(law, load.value, 1);
+    radius = radius_under(tip, load.value).radius;
   } else {
     const double F = law.normal_force(load.value);
     force = {F, (2 + std::fabs(std::log(load.value / law.c))) / law.gamma * unit * F};  // power_law.h
   }
   Pressed result = press_power_law("power_law", tip.alpha, force, radius, 1,
                                    "empirical: a = c F^gamma, pressure of Xydas and Kao (Keppler 4.3.2)");
-  warn_of_exponent(result.answer, tip.exponent);
+  warn_of_exponent(result.answer.warnings, tip.exponent);
   return result;
 }
 
 Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
-  const auto fit = at(scene.subject_place, [&] { return fit_to(tip); });
   const double force = force_of(scene);
-  const Estimate radius = radius_under(fit.law, force, fit.error_units);
-  const double factor = fit.points > 2 ? fit.radius_limits(force, tip.confidence).high / radius.value : 1;
+  const auto fit = at(scene.subject_place, [&] { return fit_to(tip); });
+  const auto [radius, factor, warnings] = at(scene.subject_place, [&] { return radius_under(tip, fit, force); });
   Pressed result = press_power_law(
       "power_law_fit", tip.alpha, {force, 0}, radius, factor,
       fmt::format("least squares of ln a on ln F; limits, and the error of the radius, by Student's t at {:g} %",
                   100 * tip.confidence));
-  warn_of_exponent(result.answer,
-                   fit.points > 2 ? fit.gamma_limits(tip.confidence).low : fit.law.gamma - fit.error_units * unit);
-  warn_of_range(result.answer, tip, force);
+  result.answer.warnings = warnings;
   const double off = fit.error_units * unit;  // of gamma, ln c and what is left of ln a
   auto& results = result.answer.main.results;
   results.push_back({"c", fit.law.c, off * fit.law.c, "m N^-gamma"});
@@ -260,9 +229,10 @@ Pressed press_fingertip(const MeasuredFingertip& tip, const PressScene& scene) {
     results.push_back({"gamma_high", gamma.high, gamma_error, "1"});
     results.push_back({"c_low", c.low, c_error * c.low, "m N^-gamma"});
     results.push_back({"c_high", c.high, c_error * c.high, "m N^-gamma"});
-  } else {
-    result.answer.warnings.emplace_back(
-        "two points fix the line: no confidence limits, and the error of the radius is that of the rounding");
+    const auto limits = fit.radius_limits(force, tip.confidence);
+    const double spread = radius.error / radius.value + rms * std::log(factor) + 16 * unit;
+    results.push_back({"contact_radius_low", limits.low, spread * limits.low, "m"});
+    results.push_back({"contact_radius_high", limits.high, spread * limits.high, "m"});
   }
   return result;
 }

@@ -63,7 +63,7 @@ Described read_given_pressure(const TomlReader& contact) {
 }
 
 Described read_pressed_fingertip(const TomlReader& contact) {
-  contact.refuse_others({"fingertip", "normal_force", "approach", "contact_radius"},
+  contact.refuse_others({"fingertip", "normal_force", "approach", "contact_radius", "centre", "angle"},
                         "not used beside 'fingertip'; give bodies, a patch or a fingertip");
   DescribedFingertip described = read_fingertip(contact);
   return {std::visit([](auto& tip) -> Subject { return std::move(tip); }, described.tip),

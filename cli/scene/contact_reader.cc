@@ -62,23 +62,28 @@ Contact read_rubbed_fingertip(const TomlReader& contact) {
     tip.place.refuse("a Winkler bed is pressed, but not rubbed: give 'coefficient' and 'exponent', or 'measured'");
   }
   return at(tip.place, [&]() -> Contact {
-    contact::Estimate radius;
+    FingertipRadius known;
     double alpha = 0;
     if (const auto* const measured = std::get_if<MeasuredFingertip>(&tip.tip)) {
-      const contact::PowerLawFit fit = fit_to(*measured);
-      radius = radius_under(fit.law, force, fit.error_units);
-      if (fit.points > 2) radius.error += fit.radius_limits(force, measured->confidence).high - radius.value;
+      known = radius_under(*measured, fit_to(*measured), force);
       alpha = measured->alpha;
     } else {
       const auto& given = *std::get_if<PowerLawFingertip>(&tip.tip);
-      radius = radius_under(contact::PowerLaw::of(given.coefficient, given.exponent), force, 1);
+      known = radius_under(given, force);
       alpha = given.alpha;
     }
-    Contact rubbed{friction::XydasKaoDisc::of_radius(radius.value, alpha), read_frame(contact), force};
-    rubbed.radius_error = rubbed.shape_error = radius.error / radius.value;
-    rubbed.notes = {
-        std::move(tip.words),
-        fmt::format("disc with the pressure of Xydas and Kao, alpha = {}, radius {} m", alpha, radius.value)};
+    const auto& [radius, factor, warnings] = known;
+    const auto disc = [&](double a) { return friction::XydasKaoDisc::of_radius(a, alpha); };
+    Contact rubbed{disc(radius.value), read_frame(contact), force};
+    if (factor > 1) {
+      rubbed.scatter = RadiusScatter{disc(radius.value), disc(radius.value / factor), disc(radius.value * factor)};
+    } else {
+      rubbed.radius_error = rubbed.shape_error = radius.error / radius.value;
+    }
+    rubbed.warnings = warnings;
+    rubbed.notes = {std::move(tip.words),
+                    fmt::format("disc with the pressure of Xydas and Kao, alpha = {}, radius {} m{}", alpha,
+                                radius.value, factor > 1 ? fmt::format(" within a factor of {:.4g}", factor) : "")};
     return rubbed;
   });
 }

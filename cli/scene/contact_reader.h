@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <patchgrip/cli/input_error.h>
 #include <patchgrip/cli/patch_variant.h>
 #include <patchgrip/cli/scene/materials.h>
 #include <patchgrip/cli/scene/patch_reader.h>
@@ -25,9 +26,10 @@ struct Contact {
   double extent = 0;                   // of that patch: its greatest distance from the centre [m]
   std::optional<double> resistance{};  // sum of mu_i F_i [N], where parts have their own mu
   std::optional<friction::AnyPatch>
-      coarse{};                         // the same on half as many cells, where the pressure is computed on a grid
-  std::vector<std::string> notes{};     // the contact in words, for the head of a table
-  std::vector<std::string> warnings{};  // what its patch leaves out
+      coarse{};                            // the same on half as many cells, where the pressure is computed on a grid
+  std::optional<RadiusScatter> scatter{};  // of a fitted radius, in place of radius_error and shape_error
+  std::vector<std::string> notes{};        // the contact in words, for the head of a table
+  std::vector<std::string> warnings{};     // what its patch leaves out
 };
 
 // All throw SceneError.
