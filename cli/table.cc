@@ -9,6 +9,10 @@
 
 namespace patchgrip::cli {
 
+void add_warnings(std::vector<std::string>& head, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) head.push_back("warning: " + warning);
+}
+
 std::string to_csv(const Table& table, const std::vector<std::string>& head) {
   std::string text;
   for (const std::string& line : head) text += "# " + line + "\n";

@@ -16,6 +16,9 @@ struct Table {
   std::vector<std::vector<double>> rows;  // each as long as `columns`
 };
 
+// What a table leaves out, as lines of its head.
+void add_warnings(std::vector<std::string>& head, const std::vector<std::string>& warnings);
+
 // `head` are comment lines, without "# ". Throws Interrupted.
 std::string to_csv(const Table& table, const std::vector<std::string>& head);
 

@@ -45,6 +45,7 @@ std::vector<std::string> head_of(const LimitFiles& files, const LimitScene& scen
   if (!scene.title.empty()) head.push_back("title: " + scene.title);
   for (const std::string& note : scene.contact.notes) head.push_back("contact: " + note);
   if (scene.mu) head.push_back(fmt::format("friction: mu = {}", *scene.mu));
+  add_warnings(head, scene.contact.warnings);
   return head;
 }
 

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/scene/direction.h>
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/unanswered.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -36,7 +40,67 @@ void add_law(Table& table, std::vector<double>& row, const LawAnswer& law, const
   }
 }
 
+// A warning without its numbers.
+std::string wording(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string words;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool exponent = text[i] == 'e' && i > 0 && is_digit(text[i - 1]);
+    if (!is_digit(text[i]) && !exponent && std::string_view("+-.").find(text[i]) == std::string_view::npos) {
+      words += text[i];
+    }
+  }
+  return words;
+}
+
+// What is warned of at the values of a sweep: in the same words once.
+class SweepWarnings {
+ public:
+  void add(const std::string& value, const std::vector<std::string>& warnings) {
+    for (const std::string& text : warnings) {
+      std::string words = wording(text);
+      const auto same = std::ranges::find(all_, words, &Warning::words);
+      if (same == all_.end()) {
+        all_.push_back({std::move(words), text, value, value, 1, false});
+      } else {
+        same->last = value;
+        ++same->values;
+        same->differs = same->differs || text != same->text;
+      }
+    }
+  }
+
+  void append_to(std::vector<std::string>& warnings) const {
+    for (const Warning& w : all_) {
+      warnings.push_back(w.values == 1 ? fmt::format("{}: {}", w.first, w.text)
+                                       : fmt::format("{} to {}, at {} values{} {}", w.first, w.last, w.values,
+                                                     w.differs ? "; at the first" : ":", w.text));
+    }
+  }
+
+ private:
+  struct Warning {
+    std::string words, text, first, last;
+    std::size_t values;
+    bool differs;  // in its numbers
+  };
+  std::vector<Warning> all_;
+};
+
 }  // namespace
+
+Pressed press_swept(const PressScene& scene, std::size_t index) {
+  const PressScene one = at_sweep_value(scene, index);
+  const std::string& words = load_place(one).words;
+  try {
+    return press(one);
+  } catch (const SceneError& error) {
+    if (std::string_view(error.what()).find(words) != std::string_view::npos) throw;
+    throw SceneError(error, fmt::format(", at {}", words));
+  } catch (const std::runtime_error& error) {
+    throw Unanswered(load_place(one), error.what());
+  }
+}
 
 Table surface_table(const PressScene& scene, const Pressed& pressed) {
   if (pressed.map && !scene.profile.distance) return *pressed.map;
@@ -76,13 +140,15 @@ Table sweep_table(const PressScene& scene, std::vector<std::string>& warnings) {
   const std::size_t values = scene.sweep->values.size();
   std::optional<SceneError> first;
   std::size_t without = 0;
+  SweepWarnings told;
   for (std::size_t i = 0; i < values; ++i) {
     InterruptGuard::check();
     std::vector<double> row{scene.sweep->values[i]};
     try {
-      const Answer answer = press(at_sweep_value(scene, i)).answer;
+      const Answer answer = press_swept(scene, i).answer;
       add_law(table, row, answer.main, "");
       for (const LawAnswer& law : answer.beside) add_law(table, row, law, law.law + "_");
+      told.add(load_place(at_sweep_value(scene, i)).words, answer.warnings);
     } catch (const SceneError& error) {
       if (++without == 1) first = error;
     }
@@ -92,6 +158,7 @@ Table sweep_table(const PressScene& scene, std::vector<std::string>& warnings) {
   if (without > 0) {
     warnings.push_back(fmt::format("no answer at {} of {} values; the first: {}", without, values, first->what()));
   }
+  told.append_to(warnings);
   for (auto& row : table.rows) row.resize(table.columns.size(), not_known);
   return table;
 }

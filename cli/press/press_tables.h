@@ -1,6 +1,7 @@
 // Tables that `patchgrip press` writes: the surface along a line, or the answers of a sweep.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,13 @@ namespace patchgrip::cli {
 // every cell, unless the scene asks for a line.
 Table surface_table(const PressScene& scene, const Pressed& pressed);
 
-// The swept quantity, then every quantity of the answer with its error, then those of the laws beside. A value that has
-// no answer (a pull beyond the pull-off) leaves the rest of its row empty, and a warning says how many are so and why
-// the first is. Throws SceneError where no value has an answer: what was wrong with the first.
+// At one value of the sweep. What is refused or does not converge says at which.
+Pressed press_swept(const PressScene& scene, std::size_t index);
+
+// The swept quantity, then every quantity of the answer with its error, then those of the laws beside. Warnings name
+// their values; in the same words they are one. A value that has no answer (a pull beyond the pull-off) leaves the rest
+// of its row empty, and a warning says how many are so and why the first is. Throws SceneError where no value has an
+// answer: what was wrong with the first.
 Table sweep_table(const PressScene& scene, std::vector<std::string>& warnings);
 
 }  // namespace patchgrip::cli

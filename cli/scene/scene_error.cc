@@ -41,6 +41,9 @@ std::string located(std::string_view file, std::size_t line, std::string_view me
 SceneError::SceneError(std::string_view file, std::size_t line, std::string_view message)
     : std::runtime_error(located(file, line, message)), line_(line) {}
 
+SceneError::SceneError(const SceneError& error, std::string_view more)
+    : std::runtime_error(error.what() + std::string(more)), line_(error.line_) {}
+
 std::string printable(std::string_view text, std::size_t limit) {
   std::string out;
   while (!text.empty()) {

@@ -15,6 +15,8 @@ namespace patchgrip::cli {
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string_view file, std::size_t line, std::string_view message);
+  // The same with more to say at its end.
+  SceneError(const SceneError& error, std::string_view more);
 
   std::size_t line() const noexcept { return line_; }
 
