@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -23,12 +22,6 @@ namespace {
 using contact::Grid;
 using contact::PressedHalfSpace;
 
-contact::HeightMap read_map(const HeightMapFile& file) {
-  std::ifstream in(file.path);
-  if (!in) file.place.refuse("cannot be read");
-  return contact::HeightMap::read(in, file.path.string());
-}
-
 // Height of the other body above its lowest point, to second order.
 double height_of(const CurvedSurface& surface, double x, double y) {
   const double c = std::cos(surface.direction);
@@ -44,8 +37,7 @@ struct Gap {
 };
 
 Gap gap_of(const HeightMapFile& file, const CurvedSurface& other) {
-  const contact::HeightMap map = read_map(file);
-  Gap gap{map.grid(file.cell[0], file.cell[1]), map.gap_below_flat()};
+  Gap gap{file.map->grid(file.cell[0], file.cell[1]), file.map->gap_below_flat()};
   for (int j = 0; j < gap.grid.ny; ++j) {
     for (int i = 0; i < gap.grid.nx; ++i) {
       gap.values[gap.grid.index(i, j)] += height_of(other, gap.grid.x(i), gap.grid.y(j));

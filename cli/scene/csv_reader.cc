@@ -25,6 +25,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blank) - begin + 1);
 }
 
+std::string_view unquoted(std::string_view cell) {
+  return cell.size() > 1 && cell.front() == '"' && cell.back() == '"' ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+// A letter, then anything but what stands between columns elsewhere.
+bool is_name(std::string_view cell) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  return !cell.empty() && is_letter(cell.front()) && cell.find_first_of(";\t\"") == std::string_view::npos;
+}
+
 class Reader {
  public:
   Reader(const TomlReader& table, std::string_view key, std::span<const std::string_view> names)
@@ -67,12 +77,14 @@ class Reader {
   }
 
   bool is_header() const {
-    return !names_.empty() &&
-           std::ranges::none_of(cells_, [](std::string_view cell) { return parsed(cell).has_value(); });
+    return !names_.empty() && std::ranges::all_of(cells_, [](std::string_view cell) {
+      return cell.empty() || (is_name(unquoted(cell)) && !parsed(cell));
+    });
   }
 
   void read_header() {
     read_.has_header = true;
+    std::ranges::transform(cells_, cells_.begin(), unquoted);
     for (const std::string_view name : names_) {
       const auto found = std::ranges::find(cells_, name);
       if (found == cells_.end())
@@ -83,6 +95,7 @@ class Reader {
   }
 
   static std::optional<double> parsed(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -90,10 +103,16 @@ class Reader {
   }
 
   double number(std::string_view text, std::size_t column) const {
-    if (text.empty()) fail(fmt::format("column {} is empty: a comma too many", column + 1));
+    if (text.empty()) {
+      // The first row says how many there are.
+      const bool ends_with_comma = line_ == first_ && column > 0 && column + 1 == width_;
+      fail(fmt::format("column {} is empty{}", column + 1, ends_with_comma ? ": a comma too many" : ""));
+    }
     const auto value = parsed(text);
     if (value && std::isfinite(*value)) return *value;
-    fail(fmt::format("column {}: '{}' is not a finite number", column + 1, printable(text, 30)));
+    const bool otherwise = width_ == 1 && text.find_first_of("; \t") != std::string_view::npos;
+    fail(fmt::format("column {}: '{}' is not a finite number{}", column + 1, printable(text, 30),
+                     otherwise ? "; numbers are separated by commas" : ""));
   }
 
   [[noreturn]] void fail(const std::string& what) const { refuse_line(table_, key_, line_, what); }

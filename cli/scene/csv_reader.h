@@ -1,12 +1,12 @@
-// Rows of numbers from a text file beside a scene: the pressures of a grid, or a table of `patchgrip press`.
+// Rows of numbers from a text file beside a scene: heights or pressures of a grid, or a table of `patchgrip press`.
 //
 //     # any number of comments, and empty lines
 //     1.2e3, 0.8e3, 1.1e3
 //
 // Numbers separated by commas; blanks around them are ignored. All rows are of the same length.
 //
-// Where columns are asked for by name, the first row may be their header. Then only these are kept, in the order that
-// is asked for, and the others may hold anything.
+// Where columns are asked for by name, the first row may be their header: names alone, in quotes or not. Then only
+// these columns are kept, in the order that is asked for, and the others may hold anything.
 //
 // Throws   SceneError naming file, line and column, and the key of the scene that asks for the file.
 #pragma once

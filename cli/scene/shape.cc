@@ -144,13 +144,25 @@ DescribedShape read_mesh(const TomlReader& body) {
   return {std::move(mesh), std::move(words)};
 }
 
+std::shared_ptr<const contact::HeightMap> read_heights(const TomlReader& body) {
+  constexpr std::size_t least = contact::Grid::least_cells, most = contact::Grid::most_cells;
+  NumberRows rows = read_numbers(body, "height_map");
+  for (const std::size_t count : {rows.rows(), rows.columns}) {
+    if (count < least || count > most) {
+      body.refuse("height_map", fmt::format("{} rows of {} heights: {} to {} of both are needed", rows.rows(),
+                                            rows.columns, least, most));
+    }
+  }
+  return std::make_shared<const contact::HeightMap>(
+      contact::HeightMap{static_cast<int>(rows.columns), static_cast<int>(rows.rows()), std::move(rows.numbers)});
+}
+
 DescribedShape read_height_map(const TomlReader& body) {
   const Sides cell = read_sides(body, "cell");
   const bool periodic = body.flag("periodic");
-  return {
-      HeightMapFile{beside_scene(body, "height_map"), {cell.along_x, cell.along_y}, periodic, body.place("height_map")},
-      fmt::format("height map {}, cells of {} m by {} m{}", body.text("height_map"), cell.along_x, cell.along_y,
-                  periodic ? ", periodic" : "")};
+  return {HeightMapFile{read_heights(body), {cell.along_x, cell.along_y}, periodic, body.place("height_map")},
+          fmt::format("height map {}, cells of {} m by {} m{}", body.text("height_map"), cell.along_x, cell.along_y,
+                      periodic ? ", periodic" : "")};
 }
 
 }  // namespace

@@ -5,11 +5,13 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include <patchgrip/cli/scene/toml_reader.h>
+#include <patchgrip/contact/half_space/height_map.h>
 #include <patchgrip/contact/point_profile.h>
 
 namespace patchgrip::cli {
@@ -61,9 +63,9 @@ struct MeshSurface {
   Place place;                  // the key 'mesh'
 };
 
-// Heights on a grid (contact/half_space/height_map.h), its middle at the origin.
+// Heights on a grid, its middle at the origin.
 struct HeightMapFile {
-  std::filesystem::path path;
+  std::shared_ptr<const contact::HeightMap> map;
   std::array<double, 2> cell;  // size of a cell along x and y [m]
   bool periodic;               // the map repeats without end
   Place place;                 // the key 'height_map'

@@ -136,6 +136,11 @@ TEST_F(Numbers, AreRefusedWithTheirLine) {
   EXPECT_EQ(refusal("1, x\n"), "1: column 2: 'x' is not a finite number");
   EXPECT_EQ(refusal("1, nan\n"), "1: column 2: 'nan' is not a finite number");
   EXPECT_EQ(refusal("1,\n"), "1: column 2 is empty: a comma too many");
+  EXPECT_EQ(refusal(",1\n"), "1: column 1 is empty");
+  EXPECT_EQ(refusal("1,2\n3,\n"), "2: column 2 is empty");
+  EXPECT_EQ(refusal("1;2;3\n"), "1: column 1: '1;2;3' is not a finite number; numbers are separated by commas");
+  EXPECT_EQ(refusal("1 2\n"), "1: column 1: '1 2' is not a finite number; numbers are separated by commas");
+  EXPECT_EQ(refusal("+-1\n"), "1: column 1: '+-1' is not a finite number");
   EXPECT_EQ(refusal("# nothing\n"), " has no numbers");
   EXPECT_EQ(refusal("x,y\n1,2\n"), "1: column 1: 'x' is not a finite number");
 }
@@ -150,10 +155,15 @@ TEST_F(Numbers, AreTakenFromTheColumnsAskedFor) {
   EXPECT_THAT(rows("1,2,3\n", names).numbers, ElementsAre(1, 2, 3));
   EXPECT_EQ(refusal("x,y,z\n1,2,3\n", names), "1: no column is headed p: p, x are needed");
   EXPECT_EQ(refusal("x,p,x\n1,2,3\n", names), "1: more than one column is headed x");
-  EXPECT_EQ(refusal("x,p\n1,\n", names), "2: column 2 is empty: a comma too many");
+  EXPECT_EQ(refusal("x,p\n1,\n", names), "2: column 2 is empty");
+  EXPECT_EQ(refusal("X,P\n1,2\n", names), "1: no column is headed p: p, x are needed");
   EXPECT_EQ(refusal("x,p\n1\n", names), "2: 1 columns, but line 1 has 2");
   EXPECT_EQ(refusal("x,p\n", names), " has no numbers");
   EXPECT_EQ(refusal("nan,x\n", names), "1: column 1: 'nan' is not a finite number");
+  EXPECT_EQ(refusal("x;p\n1;2\n", names), "1: column 1: 'x;p' is not a finite number; numbers are separated by commas");
+  EXPECT_EQ(refusal("1;2\n", names), "1: column 1: '1;2' is not a finite number; numbers are separated by commas");
+  EXPECT_EQ(refusal("\xff\xfe,p\n", names), "1: column 1: '\\xff\\xfe' is not a finite number");
+  EXPECT_THAT(rows("\"x\",\"p\"\n+1,2\n", names).numbers, ElementsAre(2, 1));
 }
 
 const std::string over_grid = "patch = \"pressure_grid\"\npressures = \"p.csv\"\n";
