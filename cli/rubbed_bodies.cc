@@ -36,9 +36,13 @@ constexpr double computed_axes_error = 8 * 0x1p-53;
 // The profiles' own, up to 4 + 8 / m units for the least m = 0.05 of a power, and that of their punch loads.
 constexpr double stamp_radius_error = 256 * 0x1p-53;
 
+// Where it is small a note says how small; else a warning does.
 RubbedBodies with(RubbedBodies rubbed, const Steepness& steepness) {
-  rubbed.notes.back() += fmt::format(", {} (the half-space theory wants it small)", steepness.text());
-  if (!steepness.is_small()) rubbed.warnings.push_back(steepness.warning());
+  if (steepness.is_small()) {
+    rubbed.notes.back() += fmt::format(", {} (the half-space theory wants it small)", steepness.text());
+  } else {
+    rubbed.warnings.push_back(steepness.warning());
+  }
   return rubbed;
 }
 
@@ -126,7 +130,7 @@ RubbedBodies grid_of_bodies(const BodyPair& pair, double force, double modulus, 
                    .notes = {fmt::format("pressure by the numerical half-space on {} by {} cells of {} m by {} m", nx,
                                          ny, dx, dy),
                              "errors hold the difference from half as many cells a side: an estimate"}},
-                  Steepness::of_pressure(pressed.peak_pressure.value, modulus));
+                  steepness_of(pressed, modulus));
     });
   } catch (const SceneError&) {
     throw;

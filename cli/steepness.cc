@@ -80,6 +80,12 @@ Steepness Steepness::of_pressure(double peak_pressure, double contact_modulus) {
   return {"peak pressure / E*", strain, std::numbers::pi / 2 * strain};
 }
 
+Steepness Steepness::of_cells(double highest_pressure, double contact_modulus) {
+  Steepness result = of_pressure(highest_pressure, contact_modulus);
+  result.name_ = "highest pressure of a cell / E*";
+  return result;
+}
+
 std::string Steepness::text() const { return fmt::format("{} = {:.3g}{}", name_, shown_, of_); }
 
 std::string Steepness::warning() const { return fmt::format("{} is not small{}", text(), beyond); }

@@ -28,6 +28,8 @@ class Steepness {
                               const contact::RelativeRadii& radii, double angle, double a, double b);
   static Steepness of_mesh(const contact::MeshContact& mesh, double a, double b);
   static Steepness of_pressure(double peak_pressure, double contact_modulus);
+  // The same where the grid does not resolve the peak.
+  static Steepness of_cells(double highest_pressure, double contact_modulus);
 
   double ratio() const noexcept { return ratio_; }  // of a circle and a paraboloid it is a / R
   bool is_small() const noexcept { return ratio_ <= 0.1; }

@@ -114,6 +114,11 @@ const HeightMapFile* height_map_of(const BodyPair& pair) {
   return std::get_if<HeightMapFile>(&pair.second.shape);
 }
 
+Steepness steepness_of(const PressedHalfSpace& p, double modulus) {
+  return peak_is_resolved(p) ? Steepness::of_pressure(p.peak_pressure.value, modulus)
+                             : Steepness::of_cells(p.peak_pressure.value, modulus);
+}
+
 PressedHalfSpace press_map(const BodyPair& pair, double modulus, const StaticLoad& load, const Place& bodies,
                            int coarser) {
   const HeightMapFile& file = *height_map_of(pair);
@@ -168,7 +173,7 @@ Pressed press_height_map(const BodyPair& pair, double modulus, const PressScene&
   if (!peak_is_resolved(*pressed)) {
     result.answer.warnings.emplace_back("the highest zone is too small for the grid: no peak pressure");
   }
-  warn_if_steep(result.answer, Steepness::of_pressure(pressed->peak_pressure.value, modulus));
+  warn_if_steep(result.answer, steepness_of(*pressed, modulus));
   return result;
 }
 

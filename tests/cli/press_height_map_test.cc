@@ -21,7 +21,9 @@ namespace patchgrip::cli {
 namespace {
 
 using ::testing::Contains;
+using ::testing::Each;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using namespace test;
 
@@ -122,6 +124,8 @@ TEST(PressRoughSurface, APeakThatTheGridDoesNotResolveIsNotPrinted) {
   const Answer answer = press(committed("rough_surface")).answer;
   EXPECT_FALSE(has(answer.main, "peak_pressure"));
   EXPECT_THAT(answer.warnings, Contains(HasSubstr("no peak pressure")));
+  EXPECT_THAT(answer.warnings, Each(Not(HasSubstr("peak pressure / E*"))));
+  EXPECT_THAT(answer.warnings, Contains(HasSubstr("highest pressure of a cell / E* = ")));
 }
 
 }  // namespace
