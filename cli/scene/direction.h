@@ -1,7 +1,7 @@
 // A unit vector by its angle: (cos a, sin a), exact along the axes.
 //
-// An angle within four roundings of a multiple of pi/2 is that multiple: no double is pi/2, and its cosine, 6e-17, would
-// tilt what is meant to lie on an axis.
+// An angle within four roundings of a multiple of pi/2 is that multiple: no double is pi/2, and its cosine, 6e-17,
+// would tilt what is meant to lie on an axis.
 #pragma once
 
 #include <array>

@@ -38,6 +38,7 @@
 #include <patchgrip/friction/uniform_disc.h>
 
 #include "limit_scenes.h"
+#include "scratch_folder.h"
 #include "vtk_file.h"
 
 namespace patchgrip::cli {
@@ -91,17 +92,8 @@ struct CsvFile {
   std::vector<std::map<std::string, double>> rows;
 };
 
-class LimitFolder : public ::testing::Test {
+class LimitFolder : public test::ScratchFolder {
  protected:
-  LimitFolder() : folder_(fs::path(::testing::TempDir()) / ("limit_files_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~LimitFolder() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  void put(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-
   std::set<std::string> names() const {
     std::set<std::string> all;
     for (const auto& entry : fs::directory_iterator(folder_)) all.insert(entry.path().filename());
@@ -115,11 +107,9 @@ class LimitFolder : public ::testing::Test {
   }
 
   void run_text(const std::string& text, const std::string& surface, const std::string& picture = "") const {
-    put("scene.toml", text);
+    write("scene.toml", text);
     run(path("scene.toml"), surface, picture);
   }
-
-  fs::path folder_;
 };
 
 struct Known {
@@ -261,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(LimitFiles, CommittedSurface,
 class Failure : public LimitFolder {
  protected:
   Failure() {
-    for (const auto* const file : {"answer.json", "surface.csv", "surface.vtk"}) put(file, "old");
+    for (const auto* const file : {"answer.json", "surface.csv", "surface.vtk"}) write(file, "old");
   }
 
   void expect_old() const {

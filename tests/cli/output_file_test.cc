@@ -15,6 +15,8 @@
 
 #include <patchgrip/cli/interrupt.h>
 
+#include "scratch_folder.h"
+
 namespace patchgrip::cli {
 namespace {
 
@@ -22,15 +24,8 @@ namespace fs = std::filesystem;
 
 using ::testing::HasSubstr;
 
-class OutputFileTest : public ::testing::Test {
+class OutputFileTest : public test::ScratchFolder {
  protected:
-  OutputFileTest() : folder_(fs::path(::testing::TempDir()) / ("output_file_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~OutputFileTest() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
   static std::string content(const std::string& file) {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -50,8 +45,6 @@ class OutputFileTest : public ::testing::Test {
     }
     return "written";
   }
-
-  fs::path folder_;
 };
 
 TEST_F(OutputFileTest, ACommittedFileHasItAll) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -20,6 +19,7 @@
 #include <patchgrip/cli/scene/scene_error.h>
 
 #include "scenes.h"
+#include "scratch_folder.h"
 
 namespace patchgrip::cli {
 namespace {
@@ -31,17 +31,8 @@ using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class PressureFile : public ::testing::Test {
+class PressureFile : public test::ScratchFolder {
  protected:
-  PressureFile() : folder_(fs::path(::testing::TempDir()) / ("pressure_files_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~PressureFile() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  void put(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-
   LimitScene scene(const std::string& contact) const {
     const TomlDocument document = TomlDocument::parse("[contact]\n" + contact + "\nnormal_force = 1\n", path("s.toml"));
     return read_limit_scene(document, MaterialLibrary({test::data_folder / "materials"}));
@@ -55,8 +46,6 @@ class PressureFile : public ::testing::Test {
     }
     return "accepted";
   }
-
-  fs::path folder_;
 };
 
 const std::string over_mesh = "patch = \"pressure_mesh\"\nmesh = ";
@@ -65,7 +54,7 @@ const std::string over_mesh = "patch = \"pressure_mesh\"\nmesh = ";
 TEST_F(PressureFile, FoldedMeshIsRefusedWithTheLinesOfTwoTriangles) {
   const std::string corners = "1 0 1\n-1 0 1\n0 1 1\n0 -1 1\n0 0 2\n0 0 0\n";
   const std::string upper = "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n", lower = "3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n";
-  put("closed.off", "OFF\n# both halves\n6 8 0\n" + corners + upper + lower);
+  write("closed.off", "OFF\n# both halves\n6 8 0\n" + corners + upper + lower);
   const std::string folded = refusal(over_mesh + "\"closed.off\"");
   EXPECT_THAT(folded, HasSubstr("s.toml:3: contact.mesh = \"closed.off\": triangle "));
   const auto pair_of = [](int k) {
@@ -74,7 +63,7 @@ TEST_F(PressureFile, FoldedMeshIsRefusedWithTheLinesOfTwoTriangles) {
   EXPECT_THAT(folded, AnyOf(AllOf(pair_of(0), pair_of(4)), AllOf(pair_of(1), pair_of(5)), AllOf(pair_of(2), pair_of(6)),
                             AllOf(pair_of(3), pair_of(7))));
   EXPECT_THAT(folded, HasSubstr(" lie over each other: the pressure must be one number a point"));
-  put("upper.off", "OFF\n6 4 0\n" + corners + upper);
+  write("upper.off", "OFF\n6 4 0\n" + corners + upper);
   EXPECT_EQ(refusal(over_mesh + "\"upper.off\""), "accepted");
 }
 
@@ -85,8 +74,8 @@ TEST_F(PressureFile, SecondSheetIsRefusedInStlToo) {
     return text + "endloop\nendfacet\n";
   };
   const std::string first = facet("0 0 1", "1 0 1", "0 1 1");
-  put("sheets.stl",
-      "solid s\n" + first + facet("5 0 1", "6 0 1", "5 1 1") + facet("0.5 0 2", "1 0 2", "0.5 1 2") + "endsolid s\n");
+  write("sheets.stl",
+        "solid s\n" + first + facet("5 0 1", "6 0 1", "5 1 1") + facet("0.5 0 2", "1 0 2", "0.5 1 2") + "endsolid s\n");
   EXPECT_THAT(refusal(over_mesh + "\"sheets.stl\""),
               HasSubstr("triangle 0 (line 2 of sheets.stl) with a corner in (0, 0) and triangle 2 (line 16 of "));
 }
@@ -94,7 +83,7 @@ TEST_F(PressureFile, SecondSheetIsRefusedInStlToo) {
 class Numbers : public PressureFile {
  protected:
   NumberRows rows(const std::string& text, std::span<const std::string_view> names = {}) const {
-    put("numbers.csv", text);
+    write("numbers.csv", text);
     const TomlDocument document = TomlDocument::parse("# a scene\nfile = \"numbers.csv\"\n", path("s.toml"));
     return read_numbers(TomlReader(document, document.root(), "", {"file"}), "file", names);
   }
@@ -172,7 +161,7 @@ const std::string over_points =
 
 TEST_F(PressureFile, TableOfAGridIsRefusedWhereItIsNone) {
   const auto refused = [&](const std::string& table, const std::string& keys = "") {
-    put("p.csv", "x_m,y_m,pressure_Pa\n" + table);
+    write("p.csv", "x_m,y_m,pressure_Pa\n" + table);
     return refusal(over_grid + keys);
   };
   const std::string square = "0,0,1\n1,0,2\n0,1,3\n1,1,4\n";
@@ -185,13 +174,13 @@ TEST_F(PressureFile, TableOfAGridIsRefusedWhereItIsNone) {
   EXPECT_THAT(refused("0,0,1\n1,0,1\n"), HasSubstr("all of y_m is 0: a line has no cells"));
   EXPECT_THAT(refused("0,0,1\n1,0,-1\n0,1,3\n1,1,4\n"),
               HasSubstr("p.csv:3: pressure_Pa = -1: must be >= 0, read for "));
-  put("p.csv", "x_m,y_m,displacement_m\n" + square);
+  write("p.csv", "x_m,y_m,displacement_m\n" + square);
   EXPECT_THAT(refusal(over_grid), HasSubstr("p.csv:1: no column is headed pressure_Pa"));
   EXPECT_THAT(refusal(over_points + "unit = 1e-3\n"), HasSubstr("p.csv:1: no column is headed pressure_Pa"));
-  put("p.csv", "x_m,y_m,pressure_Pa\n" + square);
+  write("p.csv", "x_m,y_m,pressure_Pa\n" + square);
   EXPECT_THAT(refusal(over_points + "unit = 1e-3\n"), HasSubstr("contact.unit = 1e-3: not used here"));
   EXPECT_EQ(refusal(over_points), "accepted");
-  put("p.csv", "0,0,1\n0,nan,0\n");
+  write("p.csv", "0,0,1\n0,nan,0\n");
   EXPECT_THAT(refusal(over_grid + "cell = [1, 1]\n"),
               HasSubstr("p.csv:2: column 2: 'nan' is not a finite number, read for " + path("s.toml") +
                         ":3: contact.pressures = \"p.csv\""));
@@ -209,12 +198,12 @@ TEST_F(PressureFile, TableOfPressIsReadByLimit) {
       heights += fmt::format("{}{}", -(x * x + y * y) / (2 * radius), i + 1 < cells ? "," : "\n");
     }
   }
-  put("cap.csv", heights);
+  write("cap.csv", heights);
   const std::string bodies = fmt::format(
       "[contact]\nnormal_force = {}\n[[contact.bodies]]\nheight_map = \"cap.csv\"\ncell = [{}, {}]\n"
       "youngs_modulus = 2e6\npoisson_ratio = 0.5\n[[contact.bodies]]\nplane = true\nrigid = true\n",
       force, step, step);
-  put("bodies.toml", bodies);
+  write("bodies.toml", bodies);
   const MaterialLibrary materials({test::data_folder / "materials"});
   run_press({path("bodies.toml"), path("press.json"), path("p.csv")}, materials);
 

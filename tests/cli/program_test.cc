@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "scenes.h"
+#include "scratch_folder.h"
 
 namespace patchgrip::cli {
 namespace {
@@ -42,16 +43,15 @@ std::string content(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-class Program : public ::testing::Test {
+class Program : public test::ScratchFolder {
  protected:
-  Program() : folder_(fs::path(::testing::TempDir()) / ("program_" + std::to_string(::getpid()))) {
+  Program() {
     fs::create_directories(folder_ / "scenes");
     std::ofstream(scene("disc")) << test::good_disc;
     std::ofstream(scene("long")) << test::with(
         test::good_disc, "list = [[0.001, 0.002], [0, 0]]",
         "grid = { x = { from = 0, to = 1, count = 10000 }, y = { from = 0, to = 1, count = 10000 } }");
   }
-  ~Program() override { fs::remove_all(folder_); }
 
   fs::path scene(const std::string& name) const { return folder_ / "scenes" / (name + ".toml"); }
 
@@ -91,8 +91,6 @@ class Program : public ::testing::Test {
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
-
-  fs::path folder_;
 };
 
 TEST_F(Program, PrintsItsVersion) {

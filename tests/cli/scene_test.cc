@@ -16,6 +16,7 @@
 #include <patchgrip/cli/scene/scene_error.h>
 
 #include "scenes.h"
+#include "scratch_folder.h"
 
 namespace patchgrip::cli {
 namespace {
@@ -391,13 +392,8 @@ TEST(Scene, TheReadmeKnowsEverySceneInTheRepository) {
   }
 }
 
-class SceneFile : public ::testing::Test {
+class SceneFile : public test::ScratchFolder {
  protected:
-  SceneFile() : folder_(fs::path(::testing::TempDir()) / ("scene_file_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~SceneFile() override { fs::remove_all(folder_); }
-
   static std::string refusal(const fs::path& file) {
     try {
       load_scene(file);
@@ -406,8 +402,6 @@ class SceneFile : public ::testing::Test {
     }
     return "accepted";
   }
-
-  fs::path folder_;
 };
 
 TEST_F(SceneFile, AMissingFileIsAnError) {

@@ -25,6 +25,8 @@ class ScratchFolder : public ::testing::Test {
   }
   ~ScratchFolder() override { std::filesystem::remove_all(folder_); }
 
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;

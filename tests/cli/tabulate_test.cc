@@ -24,6 +24,7 @@
 #include <patchgrip/friction/local_stribeck.h>
 
 #include "scenes.h"
+#include "scratch_folder.h"
 
 namespace patchgrip::cli {
 namespace {
@@ -75,13 +76,8 @@ Table parsed(std::string text) {
   return table;
 }
 
-class Tabulate : public ::testing::Test {
+class Tabulate : public test::ScratchFolder {
  protected:
-  Tabulate() : folder_(fs::path(::testing::TempDir()) / ("tabulate_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~Tabulate() override { fs::remove_all(folder_); }
-
   Table table_of(const Scene& scene) {
     const fs::path file = folder_ / "table.csv";
     OutputFile out(file.string());
@@ -109,8 +105,6 @@ class Tabulate : public ::testing::Test {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-
-  fs::path folder_;
 };
 
 TEST_F(Tabulate, AHertzDiscAboutItsCentreHasTheBoringMoment) {
