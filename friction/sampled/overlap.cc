@@ -15,6 +15,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // As for PressureMesh: thinner triangles have no area in double.
 constexpr double least_height = 1e-14;
 
+// Depths that are forgiven: of the least height, and of the longest edge.
+constexpr double of_height = 1e-3, of_edge = 1e-6;
+
 struct Box {
   void include(const Box& other) noexcept {
     low.x = std::min(low.x, other.low.x);
@@ -34,7 +37,8 @@ struct Box {
 struct Shape {
   std::array<Point, 3> corners;
   std::array<Point, 3> normals;
-  double height = 0;  // the least; 0 without area
+  double longest = 0;  // edge
+  double height = 0;   // the least; 0 without area
 };
 
 Shape shape_of(const Triangulation& mesh, std::size_t index) noexcept {
@@ -44,15 +48,14 @@ Shape shape_of(const Triangulation& mesh, std::size_t index) noexcept {
   double twice_area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (twice_area < 0) std::swap(b, c);
   twice_area = std::fabs(twice_area);
-  double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point &from = shape.corners[i], &to = shape.corners[(i + 1) % 3];
     const double x = to.x - from.x, y = to.y - from.y;
     const double length = std::hypot(x, y);
     shape.normals[i] = {y / length, -x / length};
-    longest = std::max(longest, length);
+    shape.longest = std::max(shape.longest, length);
   }
-  if (twice_area > least_height * longest * longest) shape.height = twice_area / longest;
+  if (twice_area > least_height * shape.longest * shape.longest) shape.height = twice_area / shape.longest;
   return shape;
 }
 
@@ -73,10 +76,11 @@ class BoxTree {
  public:
   using Pair = std::pair<std::size_t, std::size_t>;
 
-  explicit BoxTree(const Triangulation& mesh) : mesh_(mesh), order_(mesh.triangles.size()), boxes_(order_.size()) {
+  explicit BoxTree(const Triangulation& mesh) : order_(mesh.triangles.size()), boxes_(order_.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      for (const std::size_t corner : mesh.triangles[i]) boxes_[i].include({mesh.points[corner], mesh.points[corner]});
+      shapes_.push_back(shape_of(mesh, i));
+      for (const Point& corner : shapes_[i].corners) boxes_[i].include({corner, corner});
     }
     build(0, order_.size());
   }
@@ -147,16 +151,17 @@ class BoxTree {
 
   std::optional<Pair> pair(std::size_t i, std::size_t j) const {
     if (!boxes_[i].meets(boxes_[j])) return std::nullopt;
-    const Shape p = shape_of(mesh_, i), q = shape_of(mesh_, j);
+    const Shape &p = shapes_[i], &q = shapes_[j];
     if (p.height == 0 || q.height == 0) return std::nullopt;
     const double depth = -std::max(gap(p, q), gap(q, p));
-    if (!(depth > overlap_tolerance * std::min(p.height, q.height))) return std::nullopt;
+    const double least = std::min(p.height, q.height), longest = std::max(p.longest, q.longest);
+    if (!(depth > std::max(of_height * least, of_edge * longest))) return std::nullopt;
     return Pair{std::min(i, j), std::max(i, j)};
   }
 
-  const Triangulation& mesh_;
   std::vector<std::size_t> order_;
   std::vector<Box> boxes_;
+  std::vector<Shape> shapes_;
   std::vector<Node> nodes_;
 };
 

@@ -6,9 +6,9 @@
 // (sampled_order_test.cc).
 //
 // Domain   triangles in either orientation, with an area; pressures finite and >= 0, at least one positive. Triangles
-//          that overlap are not looked for (sampled/overlap.h): their pressures add up, and so do their areas in
-//          area_radius(). At most 2^24 triangles. One whose size is below the rounding of its distance from the centre of pressure,
-//          2^-53 of it, has no area as seen from there.
+//          that overlap are not looked for here; overlapping_triangles() finds them, and the scene reader refuses them:
+//          their pressures add up, and so do their areas in area_radius(). At most 2^24 triangles. One whose size is
+//          below the rounding of its distance from the centre of pressure, 2^-53 of it, has no area as seen from there.
 // Units    points [m]; pressures in any unit, they are scaled to the normal force 1.
 // Error    sampled_patch.h
 // Throws   std::invalid_argument, naming point, triangle or pressure.

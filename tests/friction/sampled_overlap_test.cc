@@ -151,6 +151,34 @@ TEST(Overlap, ForgivesANodeThatIsRounded) {
   expect_overlap(wrong);
 }
 
+// A sliver on the x axis, 1 long, whose upper corner is `above` the axis, over a triangle below that reaches `up`.
+Triangulation sliver(double above, double up) {
+  return {{{0, 0}, {1, 0}, {0.5, above}, {0.5, -1}, {0, up}, {1, up}}, {{0, 1, 2}, {3, 5, 4}}};
+}
+
+// 1e-6 of the longest edge, sqrt(5) / 2, and 1e-3 of the least height.
+TEST(Overlap, ForgivesADepthThatIsRounding) {
+  const double edge = 1e-6 * std::sqrt(1.25);
+  EXPECT_FALSE(overlapping_triangles(sliver(1e-4, 0.99 * edge)));
+  expect_overlap(sliver(1e-4, 1.01 * edge));
+  EXPECT_FALSE(overlapping_triangles(sliver(0.5, 0.99 * 0.5e-3)));
+  expect_overlap(sliver(0.5, 1.01 * 0.5e-3));
+}
+
+// The square's lower half is a sliver below its diagonal and two triangles: the node of all three, rounded across.
+TEST(Overlap, ForgivesASliverThatRoundingTurnsOver) {
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    const auto with = [&](double y) {
+      Triangulation mesh{{{0, 0}, {1, 0}, {0.5, y}, {0.5, 0.5}, {0.5, -0.5}},
+                         {{0, 1, 3}, {0, 2, 1}, {0, 4, 2}, {2, 4, 1}}};
+      for (Point& p : mesh.points) p = {size * p.x, size * p.y};
+      return mesh;
+    };
+    for (const double y : {-2e-8, 2e-8, 0.9e-6}) EXPECT_FALSE(overlapping_triangles(with(y))) << size << ' ' << y;
+    for (const double y : {1.1e-6, 1e-3}) expect_overlap(with(y));
+  }
+}
+
 TEST(Overlap, IsNotInAFanOfSlivers) {
   Triangulation fan{{{0, 0}}, {}};
   constexpr std::size_t count = 2000;
