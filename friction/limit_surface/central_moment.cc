@@ -1,6 +1,8 @@
 #include <patchgrip/friction/limit_surface/central_moment.h>
 
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 #include <patchgrip/contact/require.h>
 
@@ -13,8 +15,11 @@ CentralMoment::CentralMoment(const BoundedWrench& spinning, double x, double y) 
   error = spinning.moment_error + (std::fabs(x) + std::fabs(y)) * (spinning.force_error + 4 * unit) +
           2 * unit * std::fabs(g.m);
   if (!(value > error)) {
-    contact::refuse("moment about the centre of pressure", value,
-                    "must exceed its error by rounding, or the patch is a point as seen from its origin");
+    std::ostringstream rule;
+    rule.precision(std::numeric_limits<double>::digits10);
+    rule << "about (" << x << ", " << y
+         << ") m it must exceed its error by rounding, or the patch is a point as seen from its origin";
+    contact::refuse("moment about the centre of pressure", value, rule.str());
   }
 }
 

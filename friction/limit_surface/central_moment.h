@@ -4,8 +4,8 @@
 //
 // Units    [m], per mu F_N.
 // Error    the gradient's, its force times the arm; the products and the sum are rounded.
-// Throws   std::invalid_argument, naming the moment, unless it exceeds that error: all pressure in one point, or so far
-//          from the origin that it is one as seen from there.
+// Throws   std::invalid_argument, naming the moment and the centre, unless it exceeds that error: all pressure in one
+//          point, or so far from the origin that it is one as seen from there.
 #pragma once
 
 #include <patchgrip/friction/twist.h>
