@@ -1,6 +1,7 @@
 #include <patchgrip/bench/command_line.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 
 namespace patchgrip::bench {
@@ -21,6 +22,16 @@ void CommandLine::read(int argc, char** argv) {
               << " --help for what it can do.\n";
     std::exit(2);
   }
+}
+
+int CommandLine::write(const std::string& path, const Table& table) const {
+  if (path.empty()) return EXIT_SUCCESS;
+  std::ofstream file(path);
+  table(file);
+  file.flush();
+  if (file) return EXIT_SUCCESS;
+  std::cerr << app.get_name() << ": cannot write " << path << '\n';
+  return EXIT_FAILURE;
 }
 
 }  // namespace patchgrip::bench

@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -144,14 +142,12 @@ int main(int argc, char** argv) {
   fmt::print("\n1000 steps: all of the past again / internal variables = {:.0f} times the time\n",
              time_of("growing_convolution", 1000) / time_of("growing_contact", 1000));
 
-  if (!line.output.empty()) {
-    std::ofstream file(line.output);
+  return line.write([&](std::ostream& file) {
     fmt::print(file, "# patchgrip {} creep\n", patchgrip::version);
     fmt::print(file, "# us: fastest of several repetitions; error: of the approach, relative\n");
     fmt::print(file, "method,parameter,t,us,error\n");
     for (const auto& row : rows) {
       fmt::print(file, "{},{:g},{:g},{:.6g},{:.6g}\n", row.method, row.parameter, row.t, row.us, row.error);
     }
-  }
-  return EXIT_SUCCESS;
+  });
 }

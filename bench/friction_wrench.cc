@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -25,28 +24,11 @@
 
 namespace {
 
-using patchgrip::bench::Case;
-
-struct Options {
-  bool is_short = false;
-  bool patches = false;
-  std::string output;
-};
+using patchgrip::bench::Case, patchgrip::bench::CommandLine;
 
 // What is not an option of ours is one of Google Benchmark's, and goes behind defaults of ours.
-Options parse(int argc, char** argv) {
-  Options options;
-  patchgrip::bench::CommandLine line("friction_wrench",
-                                     "Friction force and moment against the pole: time and error of every method.",
-                                     "only what the chart of error against time needs, and less often");
-  line.app.add_flag("--patches", options.patches, "the methods that work on every patch, in place of the rest");
-  line.app.footer("Options --benchmark_... go to Google Benchmark.");
-  line.app.allow_extras();
-  line.read(argc, argv);
-  options.is_short = line.is_short;
-  options.output = line.output;
-
-  std::vector<std::string> words{argv[0], "--benchmark_enable_random_interleaving=true",
+void initialise_benchmark(const CommandLine& line, char* program) {
+  std::vector<std::string> words{program, "--benchmark_enable_random_interleaving=true",
                                  line.is_short ? "--benchmark_repetitions=5" : "--benchmark_repetitions=15",
                                  line.is_short ? "--benchmark_min_time=0.005" : "--benchmark_min_time=0.02"};
   const std::vector<std::string> others = line.app.remaining();
@@ -58,13 +40,12 @@ Options parse(int argc, char** argv) {
   pointers.push_back(nullptr);
   benchmark::Initialize(&count, pointers.data());
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) std::exit(2);
-  return options;
 }
 
-std::vector<Case> cases_to_run(const Options& options) {
-  if (options.patches) return patchgrip::bench::zone_cases();
+std::vector<Case> cases_to_run(bool patches, bool is_short) {
+  if (patches) return patchgrip::bench::zone_cases();
   std::vector<Case> cases = patchgrip::bench::work_precision_cases();
-  if (options.is_short) return cases;
+  if (is_short) return cases;
   for (auto* more : {patchgrip::bench::hertz_cases, patchgrip::bench::batch_cases, patchgrip::bench::round_cases,
                      patchgrip::bench::ellipse_cases, patchgrip::bench::polygon_cases}) {
     std::ranges::move(more(), std::back_inserter(cases));
@@ -75,22 +56,22 @@ std::vector<Case> cases_to_run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Options options = parse(argc, argv);
-  const std::vector<Case> cases = cases_to_run(options);
-  const std::vector<double> times = patchgrip::bench::least_times(cases);
+  CommandLine line("friction_wrench", "Friction force and moment against the pole: time and error of every method.",
+                   "only what the chart of error against time needs, and less often");
+  bool patches = false;
+  line.app.add_flag("--patches", patches, "the methods that work on every patch, in place of the rest");
+  line.app.footer("Options --benchmark_... go to Google Benchmark.");
+  line.app.allow_extras();
+  line.read(argc, argv);
+  initialise_benchmark(line, argv[0]);
 
+  const std::vector<Case> cases = cases_to_run(patches, line.is_short);
+  const std::vector<double> times = patchgrip::bench::least_times(cases);
   std::vector<patchgrip::bench::Measurement> measurements;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     measurements.push_back({cases[i].label, cases[i].error, cases[i].judged, times[i]});
   }
   patchgrip::bench::print_measurements(std::cout, measurements);
-  if (!options.is_short && !options.patches) patchgrip::bench::print_ratios(std::cout, measurements);
-  if (options.output.empty()) return 0;
-  std::ofstream file(options.output);
-  patchgrip::bench::write_csv(file, measurements);
-  file.flush();
-  if (!file) {
-    std::cerr << "friction_wrench: cannot write " << options.output << '\n';
-    return 1;
-  }
+  if (!line.is_short && !patches) patchgrip::bench::print_ratios(std::cout, measurements);
+  return line.write([&](std::ostream& csv) { patchgrip::bench::write_csv(csv, measurements); });
 }

@@ -9,14 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -37,7 +35,6 @@ namespace {
 using namespace patchgrip::friction;
 
 struct Options {
-  std::string output;
   int loads = 20000;
   int repetitions = 60;
 };
@@ -112,7 +109,7 @@ std::vector<Wrench> hertz_loads() {
   return loads;
 }
 
-void print_hertz(const Options& options, std::ostream* csv) {
+void print_hertz(const Options& options, std::ostream& csv) {
   const std::vector<Wrench> loads = hertz_loads();
   std::vector<Method> methods = hertz_methods();
   const auto exact = HertzGauge::of_radius(1);
@@ -131,7 +128,7 @@ void print_hertz(const Options& options, std::ostream* csv) {
     fmt::print("{:<20} {:>12.1f} {:>15.2f} {:>8} {:>15.1e}{}\n", m.name, m.ns, ratio,
                target == targets.end() ? "" : fmt::format("<= {}", target->second), m.error,
                target != targets.end() && ratio > target->second ? "  missed" : "");
-    if (csv) fmt::print(*csv, "hertz_disc,1,{},{},{},,,,\n", m.name, m.ns, m.error);
+    fmt::print(csv, "hertz_disc,1,{},{},{},,,,\n", m.name, m.ns, m.error);
   }
 }
 
@@ -153,7 +150,7 @@ std::vector<Wrench> loads_on(const P& patch, int count) {
 }
 
 template <class P>
-void print_patch(const std::string& name, double aspect, const P& patch, const Options& options, std::ostream* csv) {
+void print_patch(const std::string& name, double aspect, const P& patch, const Options& options, std::ostream& csv) {
   const LimitSurface surface(patch);
   const std::vector<Wrench> loads = loads_on(patch, options.loads);
   std::vector<int> evaluations;
@@ -185,13 +182,11 @@ void print_patch(const std::string& name, double aspect, const P& patch, const O
   }
   fmt::print("{:<14} {:>7g} {:>7.2f} {:>5} {:>5} {:>9} {:>10.1e} {:>10.2f} {:>12.2f}\n", name, aspect, mean, most,
              evaluations.back(), failures, gap, ns / 1e3, ns / one);
-  if (csv) {
-    fmt::print(*csv, "{},{},any_patch,{},{},{},{},{},{}\n", name, aspect, ns, gap, mean, most, evaluations.back(),
-               failures);
-  }
+  fmt::print(csv, "{},{},any_patch,{},{},{},{},{},{}\n", name, aspect, ns, gap, mean, most, evaluations.back(),
+             failures);
 }
 
-void print_patches(const Options& options, std::ostream* csv) {
+void print_patches(const Options& options, std::ostream& csv) {
   fmt::print("\n{} loads a patch; evaluations of D, gradient and Hessian: targets mean <= 5, 99 % <= 10, no failures\n",
              options.loads);
   fmt::print("patch           aspect    mean  99 %   max  failures  worst gap         us  evaluations' time\n");
@@ -204,33 +199,21 @@ void print_patches(const Options& options, std::ostream* csv) {
   print_patch("ring", 1, Ring::of_radius(1), options, csv);
 }
 
-Options parse(int argc, char** argv) {
+}  // namespace
+
+int main(int argc, char** argv) {
   Options options;
   patchgrip::bench::CommandLine line("gauge", "Gauge of a load: time of every method, and what it takes on any patch.",
                                      "repeat each measurement fewer times");
   line.app.add_option("--loads", options.loads, "loads a patch")->check(CLI::PositiveNumber)->capture_default_str();
   line.read(argc, argv);
-  options.output = line.output;
   if (line.is_short) options.repetitions = 10;
-  return options;
-}
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const Options options = parse(argc, argv);
-  std::ofstream file;
-  if (!options.output.empty()) {
-    file.open(options.output);
-    fmt::print(file, "# patchgrip {} gauge\n", patchgrip::version);
-    fmt::print(file, "# ns: fastest of several repetitions; error: of the gauge, or width of its bracket, relative\n");
-    fmt::print(file, "patch,aspect,method,ns,error,evaluations_mean,evaluations_99,evaluations_max,failures\n");
-  }
-  std::ostream* csv = options.output.empty() ? nullptr : &file;
+  std::ostringstream csv;
+  fmt::print(csv, "# patchgrip {} gauge\n", patchgrip::version);
+  fmt::print(csv, "# ns: fastest of several repetitions; error: of the gauge, or width of its bracket, relative\n");
+  fmt::print(csv, "patch,aspect,method,ns,error,evaluations_mean,evaluations_99,evaluations_max,failures\n");
   print_hertz(options, csv);
   print_patches(options, csv);
-  if (csv && !file.flush()) {
-    fmt::print(std::cerr, "gauge: cannot write {}\n", options.output);
-    return 1;
-  }
+  return line.write([&](std::ostream& file) { file << csv.str(); });
 }

@@ -16,10 +16,9 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <fstream>
 #include <functional>
-#include <iostream>
 #include <numbers>
+#include <ostream>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -320,8 +319,7 @@ void print_hard_cases() {
   report("400 random shapes at 1e-8: most iterations", 0, most, NAN);
 }
 
-bool write_csv(const std::string& path, const std::vector<Row>& rows) {
-  std::ofstream file(path);
+void write_csv(std::ostream& file, const std::vector<Row>& rows) {
   file << "# Hertz paraboloid on a square 2.5 contact radii wide, tolerance 1e-6; errors relative to the exact value\n"
           "cells,pair_s,by_approach_s,by_force_s,force_error,approach_error,peak_error,area_error,counted_area_error,"
           "inverse_error,force_estimate,approach_estimate,area_estimate\n";
@@ -331,8 +329,6 @@ bool write_csv(const std::string& path, const std::vector<Row>& rows) {
                         peak_error(row), area_error(row), counted_error(row), row.inverse,
                         row.approach.force.error * 0.75, row.force.approach.error, row.approach.area.error / pi);
   }
-  file.flush();
-  return static_cast<bool>(file);
 }
 
 }  // namespace
@@ -352,8 +348,5 @@ int main(int argc, char** argv) {
     print_hertz(rows);
     print_hard_cases();
   }
-  if (!line.output.empty() && !write_csv(line.output, rows)) {
-    std::cerr << "half_space: cannot write " << line.output << '\n';
-    return 1;
-  }
+  return line.write([&](std::ostream& csv) { write_csv(csv, rows); });
 }

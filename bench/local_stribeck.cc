@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
+#include <sstream>
 #include <string>
 
 #include <patchgrip/bench/command_line.h>
@@ -35,7 +34,7 @@ struct Worst {
 
 // Poles from 0.01 to 100, v_m from 0.1 to 10 v_S.
 template <class P>
-Worst compare(const char* name, const P& patch, std::ostream* table) {
+Worst compare(const char* name, const P& patch, std::ostream& table) {
   Worst worst;
   for (int i = -2 * per_decade; i <= 2 * per_decade; ++i) {
     for (int j = -per_decade; j <= per_decade; ++j) {
@@ -51,7 +50,7 @@ Worst compare(const char* name, const P& patch, std::ostream* table) {
       worst.force = std::max(worst.force, force);
       worst.moment = std::max(worst.moment, moment);
       worst.error = std::max({worst.error, local.force_error, local.moment_error});
-      if (table != nullptr) fmt::print(*table, "{},{:.6g},{:.6g},{:.6g},{:.6g}\n", name, pole, speed, force, moment);
+      fmt::print(table, "{},{:.6g},{:.6g},{:.6g},{:.6g}\n", name, pole, speed, force, moment);
     }
   }
   return worst;
@@ -72,7 +71,7 @@ double fastest_us(const Friction& friction) {
 }
 
 template <class P>
-void report(const char* name, const P& patch, std::ostream* table) {
+void report(const char* name, const P& patch, std::ostream& table) {
   const Worst worst = compare(name, patch, table);
   const Law law = Law::stribeck(0.9, 0.5, 1);
   const Twist v = twist_about({0.5, 0}, 1);
@@ -87,17 +86,13 @@ int main(int argc, char** argv) {
   patchgrip::bench::CommandLine line("local_stribeck",
                                      "Stribeck's law at each point and in the mean: how far they are apart.");
   line.read(argc, argv);
-  std::ofstream file;
-  if (!line.output.empty()) {
-    file.open(line.output);
-    fmt::print(file, "# patchgrip {} local_stribeck\n", patchgrip::version);
-    fmt::print(file, "# |local - mean| per (mu_s - mu_k) F_N; lengths in radii or half long sides\n");
-    fmt::print(file, "patch,pole,v_m_over_v_S,force,moment\n");
-  }
-  std::ostream* const table = line.output.empty() ? nullptr : &file;
+  std::ostringstream table;
+  fmt::print(table, "# patchgrip {} local_stribeck\n", patchgrip::version);
+  fmt::print(table, "# |local - mean| per (mu_s - mu_k) F_N; lengths in radii or half long sides\n");
+  fmt::print(table, "patch,pole,v_m_over_v_S,force,moment\n");
   report("hertz_disc", HertzDisc::of_radius(1), table);
   report("hertz_ellipse_3_1", HertzEllipse::of_semi_axes(1, 1. / 3), table);
   report("rectangle_4_1", Rectangle::of_sides(2, 0.5), table);
   report("rectangle_20_1", Rectangle::of_sides(2, 0.1), table);
-  return EXIT_SUCCESS;
+  return line.write([&](std::ostream& file) { file << table.str(); });
 }

@@ -3,7 +3,8 @@
 //     p_i h^2 / F_N,   h = 2 a / n
 //
 // the midpoint rule for (4.47) on the square around the disc. Cells whose midpoint lies outside are left out, the
-// pressures are computed once.
+// pressures are computed once. The shares are those of the pressure as it stands: their sum is not quite 1, to which
+// point_sum() of a zone (zone.h) scales them.
 //
 // Error    about h^2 / a^2 in force and moment, more for poles at a midpoint, where the sum jumps.
 #pragma once

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numeric>
+#include <ostream>
 #include <random>
 #include <string>
 #include <string_view>
@@ -106,8 +106,7 @@ class Bench {
     return ns;
   }
 
-  void save(const std::string& file) const {
-    std::ofstream out(file);
+  void write(std::ostream& out) const {
     out << "method,pieces,ns,error\n";
     for (const Row& r : rows_) out << fmt::format("{},{},{:.17g},{:.17g}\n", r.method, r.pieces, r.ns, r.error);
   }
@@ -231,6 +230,5 @@ int main(int argc, char** argv) {
   Bench bench(line.is_short);
   against_naive(bench);
   growth(bench, line.is_short);
-  if (!line.output.empty()) bench.save(line.output);
-  return 0;
+  return line.write([&](std::ostream& csv) { bench.write(csv); });
 }

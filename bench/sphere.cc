@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <string>
@@ -141,6 +140,5 @@ int main(int argc, char** argv) {
                          r.pressure_error);
     }
   }
-  if (!line.output.empty()) std::ofstream(line.output) << csv;
-  return 0;
+  return line.write([&](std::ostream& file) { file << csv; });
 }

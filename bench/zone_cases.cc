@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <concepts>
 
+#include <patchgrip/bench/patches.h>
 #include <patchgrip/bench/reference_truth.h>
-#include <patchgrip/bench/wrench_patches.h>
 #include <patchgrip/bench/zone_quadrature.h>
 #include <patchgrip/friction/sampled/pressure_grid.h>
 #include <patchgrip/friction/seed_hertz_disc.h>

@@ -11,7 +11,7 @@ PATCHES = {
     "ring": "ring",
     "power_disc": "power law, $n = 0.3$",
     "xydas_kao_disc": r"Xydas–Kao, $\alpha = 1.8$",
-    "hertz_ellipse": "Hertz ellipse 4 : 1",
+    "hertz_ellipse_3": "Hertz ellipse 3 : 1",
     "rectangle": "rectangle 4 : 1",
     "l_shape": "L-shape",
     "two_patches": "two patches",

@@ -12,7 +12,7 @@ OTHERS = [model for model in MODELS if model not in ELLIPSOIDS + ["round", "newt
 TITLES = {
     ("power_disc", "0"): "power law,\n$n = 0.3$",
     ("xydas_kao_disc", "0"): "Xydas–Kao,\n" + r"$\alpha = 1.8$",
-    ("hertz_ellipse", "0"): "ellipse 4 : 1,\nforce along",
+    ("hertz_ellipse_3", "0"): "ellipse 3 : 1,\nforce along",
     ("rectangle", "0"): "rectangle 4 : 1,\nforce along",
     ("rectangle", "90"): "rectangle 4 : 1,\nforce across",
     ("pressure_grid", "0"): "sampled\npressure",

@@ -1,5 +1,5 @@
-// The patches that wrenches are compared on: each with its zone and its grad D in 50 digits. The centre of pressure is
-// the origin.
+// The patches that wrenches and gauges are compared on: each with its zone and its grad D in 50 digits. The centre of
+// pressure is the origin.
 //
 // Units    [m]; normal force 1 N, mu = 1.
 #pragma once
@@ -70,7 +70,7 @@ inline friction::Gradient50 boxes_gradient(const std::vector<Box>& boxes, const 
   return gradient_of(reference);
 }
 
-// visit(name, patch, zone, gradient in 50 digits, poles that are judged)
+// visit(name, patch, zone, gradient in 50 digits, poles or loads that are judged)
 template <class Visit>
 void for_every_round_patch(const Visit& visit) {
   constexpr double a = 5 * step;
