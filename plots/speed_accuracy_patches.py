@@ -1,6 +1,7 @@
 """Error against time for the friction wrench: every kind of patch, every method that works on it."""
 
 import csv
+import math
 
 import style
 from matplotlib.lines import Line2D
@@ -58,7 +59,16 @@ def draw(axes, rows, unit):
                         **look(method, poles))
 
 
-def explain(axes):
+def tuned(rows, method):
+    return sorted({float(row["parameter"]) for row in rows if row["method"] == method})
+
+
+def judged(rows, column, value):
+    """The number of poles that errors were taken over."""
+    return min(int(row["judged"]) for row in rows if row[column] == value)
+
+
+def explain(axes, rows):
     axes.axis("off")
     methods = [Line2D([], [], linestyle="", color=colour, marker=marker, markersize=4, label=name)
                for name, colour, marker in METHODS.values()]
@@ -70,8 +80,13 @@ def explain(axes):
     axes.add_artist(first)
     axes.legend(handles=poles, loc="lower left", bbox_to_anchor=(-0.2, -0.2), fontsize=7, handlelength=2, borderpad=0,
                 labelspacing=0.35, title="the pole is", title_fontsize=7, alignment="left")
-    axes.text(-0.16, 0.52, "$n = 21, 41, 81$\ntolerance $10^{-3}$, $10^{-6}$", fontsize=7, va="top",
-              transform=axes.transAxes)
+    sides = ", ".join(f"{n:g}" for n in tuned(rows, "point_sum"))
+    tolerances = ", ".join(f"$10^{{{math.log10(t):.0f}}}$" for t in reversed(tuned(rows, "gsl_quadrature")))
+    xydas_kao = judged([row for row in rows if row["method"] != "gsl_quadrature"], "patch", "xydas_kao_disc")
+    axes.text(-0.16, 0.59, f"$n$ = {sides}\ntolerance {tolerances}\n"
+              f"worst over {max(int(row['judged']) for row in rows)} poles, of the\n"
+              f"quadrature {judged(rows, 'method', 'gsl_quadrature')}, Xydas–Kao {xydas_kao}",
+              fontsize=7, va="top", transform=axes.transAxes)
 
 
 def main():
@@ -91,7 +106,7 @@ def main():
     panels[0][0].text(0.97, ROUNDING * 2, r"rounding, $2^{-53}$", color=GREY, ha="right", va="bottom", fontsize=7,
                       transform=panels[0][0].get_yaxis_transform())
     for axes in panels.flat[len(PATCHES):]:
-        explain(axes)
+        explain(axes, rows)
     for axes in panels[-2][-(len(panels.flat) - len(PATCHES)):]:
         axes.tick_params(labelbottom=True)
     figure.supxlabel("time of a wrench over that of the Hertz disc, exact, near [-]", fontsize=9)
