@@ -3,13 +3,16 @@
 //     bounds [--cases N] [--seed S] [--kind NAME]
 //
 // Per kind, region and quantity it prints how many bounds were broken, the tightest, and the median slack (bound /
-// error). Regions: near (the pole within two radii of the patch's centre) and far (up to 1e8 radii). Exit code 1 if any
-// bound is broken, if a median slack is not below 100 near and 200 far where bounds are to be tight, or if 50 digits do
-// not tell in more than 1 % of the cases.
+// error). Regions: near (the pole within two radii of the patch's centre, of a sampled pressure's within six), far (up
+// to 1e8 radii), and facet (many loads start one slip about a point load). Exit code 1 if any bound is broken, if more
+// than 1 % of them are infinite but on facets, if 50 digits do not tell in more than 1 % of the cases, or, where bounds
+// are to be tight, if the median slack is not below 100 near and 200 far: if more than half of the slacks are above, by
+// four standard deviations of a fair coin's, for cases are few and the median of them scatters.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -34,9 +37,15 @@ struct Slack {
       values.push_back(f.bound / f.error);
     }
   }
+  // The median exceeds the limit, beyond chance.
+  bool exceeds(double limit) const {
+    const auto above = std::ranges::count_if(values, [=](double slack) { return slack >= limit; });
+    const auto n = static_cast<double>(values.size());
+    return values.empty() || 2 * static_cast<double>(above) > n + 4 * std::sqrt(n);
+  }
   double tightest() const { return values.empty() ? 0 : *std::min_element(values.begin(), values.end()); }
   double median() {
-    if (values.empty()) return 0;
+    if (values.empty()) return std::numeric_limits<double>::infinity();
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
@@ -60,7 +69,8 @@ bool check(const Kind& kind, long cases, unsigned seed) {
                 quantity.c_str(), region.c_str(), slack.count, slack.broken, slack.tightest(), median);
     if (slack.boundless > 0) std::printf(", %ld without a bound", slack.boundless);
     std::printf("\n");
-    good = good && slack.broken == 0 && (!kind.tight || median < (region == "far" ? 200 : 100));
+    good = good && slack.broken == 0 && (region == "facet" || 100 * slack.boundless <= slack.count) &&
+           !(kind.tight && slack.exceeds(region == "far" ? 200 : 100));
   }
   if (untold > 0) std::printf("%-22s of %ld cases 50 digits do not tell\n", kind.name.c_str(), untold);
   std::fflush(stdout);
@@ -83,7 +93,7 @@ int main(int argc, char** argv) {
   unsigned seed = 1;
   std::string only;
   CLI::App app("Do the printed error bounds of friction and gauges hold? Random cases against 50 digits.", "bounds");
-  app.footer("Exit code 1 if a bound is broken or too loose in the median, or if 50 digits do not tell.");
+  app.footer("Exit code 1 if a bound is broken, infinite, or too loose in the median, or if 50 digits do not tell.");
   app.add_option("--cases", cases, "cases a kind")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--seed", seed, "of the random cases")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--kind", only, "one kind alone")->type_name("NAME");
