@@ -20,10 +20,6 @@
 
 namespace patchgrip::friction::bounds {
 
-inline std::vector<kernels::Vertex> rectangle_ring(double lx, double ly) {
-  return {{-lx / 2, -ly / 2}, {lx / 2, -ly / 2}, {lx / 2, ly / 2}, {-lx / 2, ly / 2}};
-}
-
 inline FramedPatch framed_rectangle(double lx, double ly, const PlanarFrame& frame) {
   const auto reference =
       std::make_shared<PolygonReference>(std::vector<std::vector<kernels::Vertex>>{rectangle_ring(lx, ly)});
@@ -73,12 +69,9 @@ inline FramedPatch draw_framed_ellipse(Draw& draw, double least_aspect, double l
           {frame.x, frame.y, (Real50(a) * a + Real50(b) * b) / 5}};
 }
 
-// One of three lies away from the origin.
 inline FramedPatch draw_polygon(Draw& draw, double aspect) {
   const double size = draw.log_uniform(1e-4, 1e1);
-  const double away = draw.integer(0, 2) == 0 ? 20 * size : 0;
-  const double x = draw.uniform(-away, away), y = draw.uniform(-away, away), turn = draw.angle();
-  const auto outer = draw_ring(draw, x, y, size, aspect, turn);
+  const auto outer = draw_outline(draw, size, aspect);
   const auto reference = std::make_shared<PolygonReference>(std::vector<std::vector<kernels::Vertex>>{vertices(outer)});
   const Polygon patch = Polygon::uniform(outer);
   const PressureMoments s = patch.moments();

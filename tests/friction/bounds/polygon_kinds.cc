@@ -38,16 +38,11 @@ Case polygon_case(Draw& draw, const P& patch, const std::vector<std::vector<Vert
 Case rectangle(Draw& draw, double least_aspect, double largest_aspect) {
   const double lx = draw.log_uniform(1e-6, 1e2), aspect = draw.log_uniform(least_aspect, largest_aspect);
   const double ly = draw.coin() ? lx * aspect : lx / aspect;
-  const std::vector<Vertex> ring{{-lx / 2, -ly / 2}, {lx / 2, -ly / 2}, {lx / 2, ly / 2}, {-lx / 2, ly / 2}};
-  return polygon_case(draw, Rectangle::of_sides(lx, ly), {ring});
+  return polygon_case(draw, Rectangle::of_sides(lx, ly), {rectangle_ring(lx, ly)});
 }
 
-// One of three lies away from the origin.
 Case polygon(Draw& draw, double aspect) {
-  const double size = draw.log_uniform(1e-4, 1e1);
-  const double away = draw.integer(0, 2) == 0 ? 20 * size : 0;
-  const double x = draw.uniform(-away, away), y = draw.uniform(-away, away), turn = draw.angle();
-  const auto outer = draw_ring(draw, x, y, size, aspect, turn);
+  const auto outer = draw_outline(draw, draw.log_uniform(1e-4, 1e1), aspect);
   return polygon_case(draw, Polygon::uniform(outer), {vertices(outer)});
 }
 

@@ -1,4 +1,4 @@
-// Random star-shaped rings of vertices, from round to needles.
+// Rings of vertices: random star-shaped ones, from round to needles, and rectangles.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +23,17 @@ inline std::vector<Point> draw_ring(Draw& draw, double cx, double cy, double siz
     ring.push_back({cx + x * std::cos(turn) - y * std::sin(turn), cy + x * std::sin(turn) + y * std::cos(turn)});
   }
   return ring;
+}
+
+// One of three lies away from the origin.
+inline std::vector<Point> draw_outline(Draw& draw, double size, double aspect) {
+  const double away = draw.integer(0, 2) == 0 ? 20 * size : 0;
+  const double x = draw.uniform(-away, away), y = draw.uniform(-away, away), turn = draw.angle();
+  return draw_ring(draw, x, y, size, aspect, turn);
+}
+
+inline std::vector<kernels::Vertex> rectangle_ring(double lx, double ly) {
+  return {{-lx / 2, -ly / 2}, {lx / 2, -ly / 2}, {lx / 2, ly / 2}, {-lx / 2, ly / 2}};
 }
 
 inline std::vector<kernels::Vertex> vertices(const std::vector<Point>& ring, bool reverse = false) {
