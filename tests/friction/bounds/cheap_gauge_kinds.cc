@@ -110,9 +110,9 @@ std::function<Case(Draw&)> fitted_gauges(Draw& draw) {
 
 // Their errors are mostly far below the largest, which is what they state.
 Kinds cheap_gauge_kinds() {
-  return {{"round_gauge", reuse(20, round_gauge), false},
+  return {{"round_gauge", reuse(5, round_gauge), false},
           {"hertz_gauges", hertz_case, false},
-          {"fitted_gauges", reuse(1000, fitted_gauges), false}};
+          {"fitted_gauges", reuse(20, fitted_gauges), false}};
 }
 
 }  // namespace patchgrip::friction::bounds

@@ -72,7 +72,7 @@ std::function<Case(Draw&)> feet(Draw& draw) {
 }
 
 Kind gauge_kind(const char* name, FramedPatch (*make)(Draw&)) {
-  constexpr int uses = 20;
+  constexpr int uses = 5;
   const auto cases = [make](Draw& draw) -> std::function<Case(Draw&)> {
     const FramedPatch p = make(draw);
     const PressureMoments s = p.patch.moments();
@@ -91,7 +91,7 @@ Kinds gauge_kinds() {
           gauge_kind("gauge_polygon", [](Draw& draw) { return draw_polygon(draw, draw.log_uniform(1e-2, 1)); }),
           gauge_kind("gauge_needle", draw_needle),
           gauge_kind("gauge_several", [](Draw& draw) { return draw_several(draw, false); }),
-          {"gauge_feet", reuse(20, feet), false}};
+          {"gauge_feet", reuse(5, feet), false}};
 }
 
 }  // namespace patchgrip::friction::bounds

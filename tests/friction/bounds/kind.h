@@ -38,8 +38,10 @@ inline Case judged(bool far, const BoundedWrench& computed, const Wrench50& exac
            {"moment", computed.moment_error + reference * length, static_cast<double>(abs(dm))}}};
 }
 
-// Whether a bracket holds a gauge that lies between `least` and `largest`.
+// Whether a bracket holds its own value, and a gauge that lies between `least` and `largest`.
 inline Finding judged(std::string_view quantity, const Gauge& g, const Real50& least, const Real50& largest) {
+  constexpr double none = -1;  // no error is that small
+  if (!(g.lower <= g.value && g.value <= g.upper)) return {quantity, none, 0};
   const Real50 excess = g.value - largest, deficit = least - g.value;
   if (excess > deficit) return {quantity, g.value - g.lower, static_cast<double>(std::max(excess, Real50(0)))};
   return {quantity, g.upper - g.value, static_cast<double>(std::max(deficit, Real50(0)))};
@@ -48,7 +50,7 @@ inline Finding judged(std::string_view quantity, const Gauge& g, const Real50& l
 struct Kind {
   std::string name;
   std::function<Case(Draw&)> draw;
-  bool tight = true;  // in the mean (median) bounds exceed errors by less than 100 near and 200 far
+  bool tight = true;  // in the median bounds are less than 100 errors near and 200 far
 };
 
 // Keeps one patch with its reference for `uses` draws: references are slow to make.
