@@ -12,7 +12,7 @@
 // Units    twist as twist.h; l [m]; v, t and D of the frame [m/s], [N] per mu F_N.
 // Error    relative: |value - h(v)| <= error h(v), and wrench / (1 + error) lies in the body. A patch's error of force
 //          and moment counts with 1 and 2 / l, as B contains (0, 0, l / 2): S(M) >= l / 2 everywhere, because
-//          |M - c| <= S(M) and l = S(c) <= S(M) + |M - c|.
+//          |M - c| <= S(M) and l <= S(c) <= S(M) + |M - c|: l is taken at its least.
 // Throws   CentredFrame::of: std::invalid_argument as CentralMoment.
 #pragma once
 
@@ -39,7 +39,8 @@ struct CentredFrame {
   template <Patch P>
   static CentredFrame of(const P& patch) {
     const PressureMoments s = patch.moments();
-    return {s.x, s.y, CentralMoment(patch.bounded_gradient(twist_about({s.x, s.y}, 1)), s.x, s.y).value};
+    const CentralMoment m(patch.bounded_gradient(twist_about({s.x, s.y}, 1)), s.x, s.y);
+    return {s.x, s.y, m.value - m.error};
   }
 
   Twist local(const Twist& v) const noexcept { return {std::fma(-v.w, y, v.vx), std::fma(v.w, x, v.vy), v.w * length}; }

@@ -66,6 +66,18 @@ TEST(Slips, LieOnTheLimitSurfaceAndItsPolar) {
   }
 }
 
+// That of a ring is its radius. Rounded away from the origin it may come out larger, which no bound could rest on.
+TEST(CentredFrame, LengthIsNoMoreThanTheCentralMoment) {
+  std::mt19937_64 engine(20060312);
+  for (int i = testing::cases(200); i > 0; --i) {
+    const double a = testing::log_uniform(engine, 1e-3, 10), reach = 1e3 * a;
+    const double x = testing::uniform(engine, -reach, reach), y = testing::uniform(engine, -reach, reach);
+    const double length = CentredFrame::of(Placed(Ring::of_radius(a), x, y)).length;
+    EXPECT_LE(length, a);
+    EXPECT_GE(length, a * (1 - 1e-11));
+  }
+}
+
 TEST(EnclosingEllipsoid, OfCornersOfABoxHasItsProportions) {
   // sqrt(3) times the half sides 1, 2, 4.
   const auto A = enclosing_ellipsoid({{1, 2, 4}, {1, 2, -4}, {1, -2, 4}, {-1, 2, 4}}, 1e-6);
