@@ -42,8 +42,9 @@ class SlidingRing {
         end_(ratio_ * std::sinh(whole_)) {}
 
   kernels::BoundedIntegrals<5> sum() const noexcept {
-    // Cuts where exp(-rho^2) falls: beyond the last nothing is left.
-    constexpr double falls = 1, gone = 6.5;
+    // Cuts where exp(-rho^2) falls: what lies beyond the last, half of the ring at most, is an error.
+    constexpr double falls = 1;
+    const double gone = std::sqrt(-std::log(kernels::negligible));
     const auto reach = [&](double rho) { return rho > nearest_ ? std::min(std::acosh(rho / nearest_), whole_) : 0; };
     const std::array<double, 3> cuts{0, reach(falls), reach(gone)};
     kernels::BoundedIntegrals<5> sum = kernels::integrate<5>(
@@ -60,6 +61,11 @@ class SlidingRing {
                               return parts(s, 1 / (root_ * std::sqrt((1 - s) * (1 + s))));
                             },
                             lo, cuts[i + 1]));
+    }
+    if (cuts.back() < whole_) {
+      const double slowest = std::max(gone, nearest_), dropped = pi / 2 * std::exp(-slowest * slowest);
+      sum.value[3] += dropped;
+      sum.value[4] += dropped;
     }
     return sum;
   }
@@ -96,12 +102,13 @@ class SlidingRing {
 
 }  // namespace
 
-BoundedWrench stribeck_excess(const Ring& ring, const Twist& u) noexcept {
+BoundedWrench stribeck_excess(const Ring& ring, const Twist& twist) noexcept {
   constexpr double slow = 1e-10;  // exp(-rho^2) is 1, to rounding
   constexpr double fast = 1e100;  // of the ring a part about 1 / W is slower than v_S
+  const Twist u = finite_or_nan(twist);
   if (u.w == 0) return stribeck_excess(PointLoad{}, u);
   const double a = ring.radius(), V = std::hypot(u.vx, u.vy), W = a * std::fabs(u.w), sense = std::copysign(1.0, u.w);
-  if (!std::isfinite(V + W)) {
+  if (std::isnan(V + W)) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {{nan, nan, nan}, nan, nan};
   }

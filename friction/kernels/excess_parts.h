@@ -10,6 +10,9 @@
 
 namespace patchgrip::friction::kernels {
 
+// exp(-u^2) below this, at speeds of 6.4 v_S and more, is not summed but counts as error.
+inline constexpr double negligible = 1e-18;
+
 // fx, fy, m / length, error of the force, of m / length
 using ExcessParts = std::array<double, 5>;
 

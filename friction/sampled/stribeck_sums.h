@@ -20,12 +20,10 @@
 
 #include <array>
 
+#include <patchgrip/friction/kernels/excess_parts.h>
 #include <patchgrip/friction/twist.h>
 
 namespace patchgrip::friction::kernels {
-
-// exp(-u^2) below this, at speeds of 6.4 v_S and more, is not summed but counts as error.
-inline constexpr double negligible = 1e-18;
 
 // Force and moment about the frame's origin, with their errors. Of many terms: what each addition rounds off is kept.
 class StribeckSums {

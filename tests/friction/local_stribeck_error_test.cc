@@ -61,6 +61,27 @@ TEST(LocalStribeckError, OfARingIsWithinItsError) {
   }
 }
 
+// Twists of which V + W is no double, and beyond the last cut; past the doubles there is no motion.
+TEST(LocalStribeckError, OfAFastRingIsWithinItsError) {
+  const Ring ring = Ring::of_radius(1);
+  for (const double W : {0.4, 2.0, 20.0}) {
+    for (const double ahead : {6.4, 6.45, 6.5, 6.6, 7.0}) {
+      const Twist u{W + ahead, 0, W};
+      expect_within_error(stribeck_excess(ring, u), ring_excess(1, 1, u), 1, 1e-14);
+    }
+  }
+  for (const Twist& u : {Twist{1.7e308, 0, 1.7e308}, Twist{1.2e308, -1.5e308, 1}, Twist{1, 0, -1.7e308}}) {
+    const BoundedWrench g = stribeck_excess(ring, u);
+    EXPECT_TRUE(g.value.fx == 0 && g.value.fy == 0 && g.value.m == 0);
+    EXPECT_LE(std::max(g.force_error, g.moment_error), 1e-100);
+  }
+  const double nan = std::nan("");
+  for (const Twist& u : {Twist{INFINITY, 0, 1}, Twist{1, 0, -INFINITY}, Twist{nan, 1, 1}, Twist{1, 1, nan}}) {
+    const BoundedWrench g = stribeck_excess(ring, u);
+    EXPECT_TRUE(std::isnan(g.value.fx) && std::isnan(g.value.m) && std::isnan(g.force_error));
+  }
+}
+
 // Next to a ring, to a flat punch, and up to the largest exponent.
 TEST(LocalStribeckError, OfAPowerDiscIsWithinItsError) {
   std::mt19937_64 engine(20060309);
