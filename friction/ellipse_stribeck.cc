@@ -49,7 +49,7 @@ class Projection {
 };
 
 // int q g ds and int q s g ds of the wave g(c + k s) over [-1, 1]; c, k >= 0. The wave is folded at s = 0, and jumps
-// where it changes sign, at s = c / k. The third number is int q |g| ds: rounding of g leaves 4 units of it.
+// where it changes sign, at s = c / k. The third number is int q |g| ds.
 BoundedIntegrals<3> across(const Projection& q, double c, double k) noexcept {
   const auto& g = kernels::StribeckWave::shared();
   const auto folded = [&](double s, double one_minus_s, double argument) -> std::array<double, 3> {
@@ -73,12 +73,12 @@ BoundedIntegrals<3> across(const Projection& q, double c, double k) noexcept {
 
 // See local_stribeck.h; x is the pole's place in semi-axes.
 double rounding_of(const PowerEllipse& zone, const Projection& q, double x) noexcept {
-  constexpr double of_place = 7, others = 9;  // units
+  constexpr double of_place = 7, others = 17;  // units
   const double slenderness = std::fabs(std::log(zone.a() / zone.b()));
   double condition = 1;
   if (zone.n() < 0) {
     const double from_rim = std::max(std::fabs(1 - x), of_place * unit);
-    condition = q.scale() * std::min(1 / (zone.n() + 0.5), std::log((1 + x) / from_rim)) * std::exp(slenderness);
+    condition = q.scale() * std::min(1 / (zone.n() + 0.5), std::log((1 + x) / from_rim) + 1);
   }
   return unit * (others + of_place * std::max(condition, 1.0)) * (1 + slenderness);
 }
@@ -88,7 +88,7 @@ double rounding_of(const PowerEllipse& zone, const Projection& q, double x) noex
 PowerEllipse PowerEllipse::of_semi_axes(double a, double b, double n) {
   contact::require_positive("a", a);
   contact::require_positive("b", b);
-  contact::require_in("n", n, -0.5, 20);
+  contact::require_in("n", n, a == b ? -0.5 : 0, 20);
   return {a, b, n};
 }
 
@@ -105,7 +105,8 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
     const double c = std::max(std::cos(phi), 0.0), s = std::sin(phi);
     const double nx = c * ex - s * ey, ny = c * ey + s * ex, W = round ? a : std::hypot(b * nx, a * ny);
     const auto wave = across(q, speed * c, w * W);
-    const double rounding = 4 * unit * wave.value[2];
+    // q takes 4 + 3 |n|, the sum of two waves 1, times q 1; n of cosines 1, of u 2, their product 1, the sum 1, n g 1.
+    const double rounding = (12 + 3 * std::fabs(zone.n())) * unit * wave.value[2];
     return {nx * wave.value[0], ny * wave.value[0], W / length * wave.value[1], wave.error[0] + rounding,
             W / length * (wave.error[1] + rounding)};
   };

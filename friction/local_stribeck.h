@@ -21,19 +21,24 @@
 //
 // Units    as law.h.
 // Error    carried: that of t_k, and an estimate for E, mostly some 1e-15: of the quadrature
-//          (kernels/vector_quadrature.h) and of rounding. The wave jumps by pi where it changes sign, at s = u . n / w
-//          W, which 7 roundings move by 7 units of 2^-53 of itself; so on a disc, with the pole at x radii,
+//          (kernels/vector_quadrature.h) and of rounding, which is counted, in units of 2^-53:
+//
+//          Ellipses and discs. The wave g jumps by pi where it changes sign, at s = u . n / w W, which 7 roundings move
+//          by 7 units of itself; so on a disc, with the pole at x radii,
 //
 //              |dE| <= 7 units C(x),   C = int dphi s q(s),  s = x cos phi
 //
-//          C <= 1 for n >= 0. A projection that is infinite at the rim (n < 0) has
+//          C <= 1 for n >= 0. A projection that is infinite at the rim (n < 0, discs alone) has
 //
-//              C <= min(1 / (n + 1/2), ln((1 + x) / |1 - x|)) / B(1/2, n + 1)
+//              C <= min(1 / (n + 1/2), ln((1 + x) / |1 - x|) + 1) / B(1/2, n + 1)
 //
-//          (the ring's is ln(...) / pi, any q is below pi / B of the ring's), where |1 - x| is no less than the 7
-//          units. On ellipses directions are rounded, too: int dphi a / W = 2 K <= pi + 2 ln(a / b), hence 1 + ln(a /
-//          b) times as much; and directions are up to a / b times as dense at the pole's rim, which counts for n < 0.
-//          Nine units more for directions and the wave. Rings have no C: they are not integrated so.
+//          (the ring's is ln(...) / pi, any q is below pi / B of the ring's; 1 for the mean across the singularity),
+//          where |1 - x| is no less than the 7 units. Elsewhere these 7 and a sum move g by 8 units of |t g'(t)|, which
+//          is 1.336 at most, and g is known to 4 units of pi/2 (kernels/stribeck_wave.h): 17 units. On ellipses
+//          directions are rounded, too: int dphi a / W = 2 K <= pi + 2 ln(a / b), hence all of it 1 + ln(a / b) times.
+//          What is in proportion to the integrand, 12 + 3 |n| units, is integrated with it. Rings have no C: they are
+//          not integrated so.
+//
 //          tests/friction/local_stribeck_error_test.cc, `bounds --kind local_ring` and others of local_*.
 // Cost     some milliseconds.
 #pragma once

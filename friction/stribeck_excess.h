@@ -5,7 +5,7 @@
 // One function for all: a patch can be rubbed by the law at each point if stribeck_excess takes it.
 //
 // Domain   every motion of every patch but XydasKaoDisc and StampDisc, which behind AnyPatch answer not-a-number with
-//          an infinite error. A scene that asks for them is refused.
+//          an infinite error. A scene that asks for them is refused. PowerEllipse takes n < 0 only where it is round.
 // Units    u [1], [1], [1/m]; force [1], moment [m].
 // Error    carried: an estimate, mostly some 1e-15 of the force and of force times size (local_stribeck.h).
 // Throws   PowerEllipse::of_semi_axes std::invalid_argument outside its domain; nothing else.
@@ -30,10 +30,10 @@ class UniformDisc;
 template <Patch P>
 class Placed;
 
-// A pressure ~ (1 - x^2/a^2 - y^2/b^2)^(n - 1/2) on an ellipse, n >= -1/2 (seed 4.13).
+// A pressure ~ (1 - x^2/a^2 - y^2/b^2)^(n - 1/2) on an ellipse, n >= 0, or a disc, n >= -1/2 (seed 4.13).
 class PowerEllipse {
  public:
-  // Semi-axes along x and y [m]; n in [-1/2, 20], that of a ring to the largest of power_disc.h.
+  // Semi-axes along x and y [m]; n in [0, 20], the largest of power_disc.h; where a = b from -1/2, that of a ring.
   static PowerEllipse of_semi_axes(double a, double b, double n);
 
   double a() const noexcept { return a_; }

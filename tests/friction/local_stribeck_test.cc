@@ -131,8 +131,8 @@ TEST(LocalStribeck, TurnsWithThePatch) {
 }
 
 TEST(LocalStribeck, RefusesEllipsesBeyondTheDomain) {
-  const double nan = std::nan(""), bad[][3] = {{0, 1, 1},     {1, -1, 1}, {nan, 1, 1},  {1, INFINITY, 1},
-                                               {1, 1, -0.51}, {1, 1, -1}, {1, 1, 20.1}, {1, 1, nan}};
+  const double nan = std::nan(""), bad[][3] = {{0, 1, 1},  {1, -1, 1},   {nan, 1, 1}, {1, INFINITY, 1}, {1, 1, -0.51},
+                                               {1, 1, -1}, {1, 1, 20.1}, {1, 1, nan}, {1, 2, -0.1},     {2, 1, -0.5}};
   for (const auto& [a, b, n] : bad) EXPECT_THROW(PowerEllipse::of_semi_axes(a, b, n), std::invalid_argument);
 }
 

@@ -33,9 +33,10 @@ Case power_ellipse(Draw& draw, double n, double least_aspect, double largest_asp
   return local_case(stribeck_excess(PowerEllipse::of_semi_axes(a, b, n), u), exact, u, std::max(a, b));
 }
 
-double draw_exponent(Draw& draw) {
-  constexpr double closed[] = {-0.5, 0, 0.5, 1};
-  return draw.coin() ? closed[draw.index(4)] : draw.coin() ? -0.5 + draw.log_uniform(1e-6, 1) : draw.uniform(0.5, 20);
+// From `least` up, next to it, too, and those in closed form.
+double draw_exponent(Draw& draw, double least) {
+  const double closed[] = {least, 0, 0.5, 1};
+  return draw.coin() ? closed[draw.index(4)] : draw.coin() ? least + draw.log_uniform(1e-6, 1) : draw.uniform(0.5, 20);
 }
 
 Case line(Draw& draw) {
@@ -50,10 +51,9 @@ Case line(Draw& draw) {
 Kinds local_kinds() {
   Kinds kinds{{"local_ring", ring},
               {"local_line", line},
-              {"local_power_disc", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1, 1); }},
-              {"local_power_ellipse", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1, 10); }},
-              {"local_needle_rim", [](Draw& draw) { return power_ellipse(draw, -0.5, 1e3, 1e6); }},
-              {"local_needle", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw), 1e3, 1e6); }}};
+              {"local_power_disc", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw, -0.5), 1, 1); }},
+              {"local_power_ellipse", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw, 0), 1, 10); }},
+              {"local_needle", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw, 0), 1e3, 1e6); }}};
   for (Kind& kind : kinds) kind.tight = false;
   return kinds;
 }
