@@ -39,6 +39,9 @@
 //          What is in proportion to the integrand, 12 + 3 |n| units, is integrated with it. Rings have no C: they are
 //          not integrated so.
 //
+//          Polygons (polygon_stribeck.cc): in proportion to the triangles, whose sizes exceed their sum where the pole
+//          is beside a slender patch, by about its aspect.
+//
 //          tests/friction/local_stribeck_error_test.cc, `bounds --kind local_ring` and others of local_*.
 // Cost     some milliseconds.
 #pragma once

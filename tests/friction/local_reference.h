@@ -7,12 +7,23 @@
 #include <numbers>
 #include <vector>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include <patchgrip/friction/kernels/edge_sum.h>
 #include <patchgrip/friction/patch.h>
 
 namespace patchgrip::friction {
 
 using Long = long double;
+using Quad = boost::multiprecision::cpp_bin_float_quad;
+
+// A velocity is not always a double: that of a patch which lies elsewhere, and that in units of v_S.
+struct LongTwist {
+  LongTwist(const Twist& u) : vx(u.vx), vy(u.vy), w(u.w) {}
+  LongTwist(Long x, Long y, Long spin) : vx(x), vy(y), w(spin) {}
+
+  Long vx, vy, w;
+};
 
 struct LocalExcess {
   Long fx = 0, fy = 0, m = 0;
@@ -76,7 +87,7 @@ LocalExcess integral_of(const F& f, Long lo, Long hi) {
   return length * static_cast<Long>(step) / LongNodes::finest * sum;
 }
 
-inline LocalExcess excess_at(const Twist& u, Long x, Long y) {
+inline LocalExcess excess_at(const LongTwist& u, Long x, Long y) {
   const Long ux = u.vx - u.w * y, uy = u.vy + u.w * x, speed = std::sqrt(ux * ux + uy * uy);
   if (speed == 0) return {};
   const Long k = std::exp(-speed * speed) / speed;
@@ -110,20 +121,20 @@ inline LocalExcess about_origin(LocalExcess g, Long X, Long Y) {
 
 // A line load on the ellipse, uniform in the eccentric angle: a ring if round. Cut at the pole's angle, in quarters
 // from there, and where the sides pass the pole: those of needles are next to it elsewhere.
-inline LocalExcess ring_excess(Long a, Long b, const Twist& u) {
+inline LocalExcess ring_excess(Long a, Long b, const LongTwist& u) {
   const Long pi = std::numbers::pi_v<Long>;
-  const Long pole = std::atan2(Long(u.vx) / b, -Long(u.vy) / a) + (u.w < 0 ? pi : 0);
+  const Long pole = std::atan2(u.vx / b, -u.vy / a) + (u.w < 0 ? pi : 0);
   const auto at = [&](Long angle) { return excess_at(u, a * std::cos(angle), b * std::sin(angle)); };
   if (a == b) {  // both halves are alike
     const LocalExcess half = 2 / (2 * pi) * integral_of([&](Long from, Long) { return at(pole + from); }, 0, pi);
-    const Long speed = std::hypot(Long(u.vx), Long(u.vy)), ex = speed > 0 ? u.vx / speed : 1;
+    const Long speed = std::hypot(u.vx, u.vy), ex = speed > 0 ? u.vx / speed : 1;
     const Long ey = speed > 0 ? u.vy / speed : 0, along = half.fx * ex + half.fy * ey;
     return {along * ex, along * ey, half.m};
   }
   std::vector<Long> cuts{0, pi / 2, pi, 3 * pi / 2, 2 * pi};
   if (u.w != 0) {
-    const Long x = std::acos(std::clamp(-u.vy / (Long(u.w) * a), -1.0L, 1.0L));
-    const Long y = std::asin(std::clamp(u.vx / (Long(u.w) * b), -1.0L, 1.0L));
+    const Long x = std::acos(std::clamp(-u.vy / (u.w * a), -1.0L, 1.0L));
+    const Long y = std::asin(std::clamp(u.vx / (u.w * b), -1.0L, 1.0L));
     for (const Long beside : {x, -x, y, pi - y}) cuts.push_back(beside - pole);
   }
   for (Long& cut : cuts) cut -= 2 * pi * std::floor(cut / (2 * pi));  // from the pole
@@ -142,9 +153,9 @@ inline LocalExcess ring_excess(Long a, Long b, const Twist& u) {
 }
 
 // The pressure ~ (1 - x^2/a^2 - y^2/b^2)^(n - 1/2) as a stack of such lines.
-inline LocalExcess power_ellipse_excess(Long a, Long b, Long n, const Twist& u) {
+inline LocalExcess power_ellipse_excess(Long a, Long b, Long n, const LongTwist& u) {
   if (u.w == 0) return excess_at(u, 0, 0);  // the same everywhere
-  const Long level = std::hypot(u.vy / a, u.vx / b) / std::fabs(Long(u.w));
+  const Long level = std::hypot(u.vy / a, u.vx / b) / std::fabs(u.w);
   if (n < 0.5L) {  // in y = (1 - x^2)^(n + 1/2), 1 - y = z: the pressure's rim is smooth there
     const auto in_y = [&](Long y, Long z) {
       const Long x = std::sqrt(-std::expm1((y < 0.5L ? std::log(y) : std::log1p(-z)) / (n + 0.5L)));
@@ -165,7 +176,7 @@ inline LocalExcess power_ellipse_excess(Long a, Long b, Long n, const Twist& u) 
 }
 
 // About the pole up to three radii, beyond them as a stack.
-inline LocalExcess uniform_ellipse_excess(Long a, Long b, const Twist& u) {
+inline LocalExcess uniform_ellipse_excess(Long a, Long b, const LongTwist& u) {
   const Long w = u.w, X = -u.vy / w, Y = u.vx / w;
   if (w == 0 || std::hypot(X / a, Y / b) > 3) return power_ellipse_excess(a, b, 0.5L, u);
   const Long pi = std::numbers::pi_v<Long>, pole = std::atan2(Y / b, X / a);
@@ -179,29 +190,31 @@ inline LocalExcess uniform_ellipse_excess(Long a, Long b, const Twist& u) {
 }
 
 // A uniform line along x, in two pieces from the foot of the pole.
-inline LocalExcess line_excess(Long length, const Twist& u) {
-  const Long foot = u.w == 0 ? 0 : std::clamp(-u.vy / Long(u.w), -length / 2, length / 2);
+inline LocalExcess line_excess(Long length, const LongTwist& u) {
+  const Long foot = u.w == 0 ? 0 : std::clamp(-u.vy / u.w, -length / 2, length / 2);
   return 1 / length *
          (integral_of([&](Long, Long to_foot) { return excess_at(u, foot - to_foot, 0); }, -length / 2, foot) +
           integral_of([&](Long from_foot, Long) { return excess_at(u, foot + from_foot, 0); }, foot, length / 2));
 }
 
 // Triangles between the pole and the edges within two and a half radii, beyond them between the first vertex and the
-// edges.
+// edges. The pole, the area and twice the triangles in 113 bits: along a needle they cancel by its aspect.
 inline LocalExcess polygon_excess(const std::vector<std::vector<kernels::Vertex>>& rings, const PressureMoments& s,
-                                  const Twist& u) {
-  Long radius = 0, area = 0;
+                                  const LongTwist& u) {
+  Long radius = 0;
+  Quad twice_area = 0;
   const auto& first = rings[0][0];
   for (const auto& p : rings[0]) radius = std::max(radius, std::hypot(Long(p.x) - s.x, Long(p.y) - s.y));
   const Long w = u.w;
   const bool near = std::hypot(-u.vy - w * s.x, u.vx - w * s.y) < 2.5L * radius * std::fabs(w);
-  const Long X = near ? -u.vy / w : Long(first.x), Y = near ? u.vx / w : Long(first.y);
+  const Quad X = near ? -Quad(u.vy) / Quad(w) : Quad(first.x), Y = near ? Quad(u.vx) / Quad(w) : Quad(first.y);
   LocalExcess sum;
   for (const auto& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto &p = ring[i], &q = ring[(i + 1) % ring.size()];
-      const Long px = p.x - X, py = p.y - Y, ex = Long(q.x) - p.x, ey = Long(q.y) - p.y, cross = px * ey - py * ex;
-      area += (p.x - Long(first.x)) * ey / 2 - (p.y - Long(first.y)) * ex / 2;
+      const Quad twice_triangle = (p.x - X) * (Quad(q.y) - p.y) - (p.y - Y) * (Quad(q.x) - p.x);
+      twice_area += twice_triangle;
+      const Long px(p.x - X), py(p.y - Y), ex = Long(q.x) - p.x, ey = Long(q.y) - p.y, cross(twice_triangle);
       if (cross == 0) continue;
       if (near) {
         const Long foot = std::clamp(-(px * ex + py * ey) / (ex * ex + ey * ey), 0.0L, 1.0L);
@@ -209,19 +222,21 @@ inline LocalExcess polygon_excess(const std::vector<std::vector<kernels::Vertex>
         sum = sum + integral_of([&](Long, Long to_foot) { return at(foot - to_foot); }, 0, foot) +
               integral_of([&](Long from_foot, Long) { return at(foot + from_foot); }, foot, 1);
       } else {
-        sum = sum + integral_of(
-                        [&](Long t, Long) {
-                          return integral_of(
-                              [&](Long l, Long) {
-                                return cross * l * excess_at(u, X + l * (px + t * ex), Y + l * (py + t * ey));
-                              },
-                              0, 1);
-                        },
-                        0, 1);
+        sum =
+            sum + integral_of(
+                      [&](Long t, Long) {
+                        return integral_of(
+                            [&](Long l, Long) {
+                              return cross * l * excess_at(u, first.x + l * (px + t * ex), first.y + l * (py + t * ey));
+                            },
+                            0, 1);
+                      },
+                      0, 1);
       }
     }
   }
-  return near ? about_origin(1 / area * sum, X, Y) : 1 / area * sum;
+  const LocalExcess mean = 2 / Long(twice_area) * sum;
+  return near ? about_origin(mean, Long(X), Long(Y)) : mean;
 }
 
 }  // namespace patchgrip::friction

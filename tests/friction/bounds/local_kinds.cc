@@ -4,8 +4,10 @@
 
 #include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/local_stribeck.h>
+#include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/ring.h>
 #include <patchgrip/tests/friction/bounds/kind.h>
+#include <patchgrip/tests/friction/bounds/polygon_ring.h>
 #include <patchgrip/tests/friction/local_motions.h>
 #include <patchgrip/tests/friction/local_reference.h>
 
@@ -45,12 +47,29 @@ Case line(Draw& draw) {
   return local_case(stribeck_excess(LineLoad::of_length(L), u), line_excess(L, u), u, L / 2);
 }
 
+// Turned, with poles along its axes; one of three lies away from the origin.
+Case polygon(Draw& draw, double aspect) {
+  const double size = draw.log_uniform(1e-3, 10), away = draw.integer(0, 2) == 0 ? 20 * size : 0;
+  const double x = draw.uniform(-away, away), y = draw.uniform(-away, away), turn = draw.angle();
+  const double c = std::cos(turn), s = std::sin(turn);
+  const auto ring = draw_ring(draw, x, y, size, aspect, turn);
+  const Polygon patch = Polygon::uniform(ring);
+  const Twist own = random_twist(draw.engine(), size, aspect * size);
+  const Twist u{c * own.vx - s * own.vy + own.w * y, s * own.vx + c * own.vy - own.w * x, own.w};
+  const bool far = std::hypot(own.vx, own.vy) > 2 * size * std::fabs(u.w);
+  const LocalExcess exact = polygon_excess({vertices(ring)}, patch.moments(), u);
+  const double length = size + std::hypot(x, y);
+  return judged(far, stribeck_excess(patch, u), {exact.fx, exact.fy, exact.m}, reference_error, length);
+}
+
 }  // namespace
 
 // Errors of the moment are judged against the size of the patch, however small it is far from the pole.
 Kinds local_kinds() {
   Kinds kinds{{"local_ring", ring},
               {"local_line", line},
+              {"local_polygon", [](Draw& draw) { return polygon(draw, draw.coin() ? 1 : draw.log_uniform(1e-2, 1)); }},
+              {"local_needle_polygon", [](Draw& draw) { return polygon(draw, draw.log_uniform(1e-6, 1e-3)); }},
               {"local_power_disc", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw, -0.5), 1, 1); }},
               {"local_power_ellipse", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw, 0), 1, 10); }},
               {"local_needle", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw, 0), 1e3, 1e6); }}};
