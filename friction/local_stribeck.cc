@@ -20,16 +20,16 @@ BoundedWrench stribeck_excess(const PointLoad&, const Twist& u) noexcept {
   return {{size * u.vx / speed, size * u.vy / speed, 0}, error, 0};
 }
 
-BoundedWrench with_stribeck_excess(const BoundedWrench& kinetic, double excess_force, const BoundedWrench& excess,
-                                   double lever) noexcept {
+BoundedWrench with_stribeck_excess(const BoundedWrench& kinetic, double excess_force,
+                                   const BoundedWrench& excess) noexcept {
   const auto& [E, force_error, moment_error] = excess;
   BoundedWrench t = kinetic;
   t.value.fx -= excess_force * E.fx;
   t.value.fy -= excess_force * E.fy;
   t.value.m -= excess_force * E.m;
   const double size = std::fabs(excess_force);
-  t.force_error += size * (force_error + 16 * unit) + unit * std::hypot(t.value.fx, t.value.fy);
-  t.moment_error += size * (moment_error + 16 * unit * lever) + unit * std::fabs(t.value.m);
+  t.force_error += size * (force_error + 3 * unit * std::hypot(E.fx, E.fy)) + unit * std::hypot(t.value.fx, t.value.fy);
+  t.moment_error += size * (moment_error + 3 * unit * std::fabs(E.m)) + unit * std::fabs(t.value.m);
   return t;
 }
 

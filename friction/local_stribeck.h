@@ -20,7 +20,7 @@
 // integrated along themselves (line_stribeck.cc, ring_stribeck.cc). XydasKaoDisc and StampDisc have no such law.
 //
 // Units    as law.h.
-// Error    carried: that of t_k, and an estimate for E, mostly some 1e-15: of the quadrature
+// Error    carried: that of t_k, that of v / v_S (below), and an estimate for E, mostly some 1e-15: of the quadrature
 //          (kernels/vector_quadrature.h) and of rounding, which is counted, in units of 2^-53:
 //
 //          Ellipses and discs. The wave g jumps by pi where it changes sign, at s = u . n / w W, which 7 roundings move
@@ -48,15 +48,30 @@
 
 #include <cmath>
 
+#include <patchgrip/friction/hessian_beside.h>
 #include <patchgrip/friction/law.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/stribeck_excess.h>
 
 namespace patchgrip::friction {
 
-// t_k - (mu_s - mu_k) F_N E, with the error of u = v / v_S, rounded.
-BoundedWrench with_stribeck_excess(const BoundedWrench& kinetic, double excess_force, const BoundedWrench& excess,
-                                   double lever) noexcept;
+// t_k - (mu_s - mu_k) F_N E
+BoundedWrench with_stribeck_excess(const BoundedWrench& kinetic, double excess_force,
+                                   const BoundedWrench& excess) noexcept;
+
+// By how much the rounding of u = v / v_S can move the force of E [1]. With V the speed at the origin
+// |w| |P| <= V + |u_P|, so |du_P| <= 2^-53 (V + |w| |P|) <= 2^-53 (2 V + |u_P|). The integrand moves by |du_P| / |u_P|
+// at most, and the trace of the Hessian is the mean of 1 / |u_P|. Twice that, as it changes on the way (placed.h), and
+// never more than from E to -E.
+template <Patch P>
+double rounding_of_speeds(const P& patch, const Twist& v) noexcept {
+  constexpr double unit = 0x1p-53, all = 2;
+  const double V = std::hypot(v.vx, v.vy);
+  if (V == 0) return 2 * unit;
+  const Hessian h = hessian_beside(patch, v);
+  const double moved = 2 * unit * (2 * V * (h.xx + h.yy) + 1);
+  return moved < all ? moved : all;
+}
 
 // Friction wrench at the twist v with the coefficient of each point; `normal_force` F_N [N], >= 0.
 template <LocalPatch P>
@@ -66,10 +81,12 @@ BoundedWrench local_friction_wrench(const Law& law, double normal_force, const P
   const BoundedWrench t = friction_wrench(kinetic, normal_force, patch, v);
   if (law.mu_static == law.mu_kinetic) return t;
   const double v_S = law.stribeck_velocity;
+  BoundedWrench excess = stribeck_excess(patch, {v.vx / v_S, v.vy / v_S, v.w / v_S});
+  const double moved = rounding_of_speeds(patch, v);
   const PressureMoments s = patch.moments();
-  return with_stribeck_excess(t, (law.mu_static - law.mu_kinetic) * normal_force,
-                              stribeck_excess(patch, {v.vx / v_S, v.vy / v_S, v.w / v_S}),
-                              std::hypot(s.x, s.y) + std::sqrt(s.polar));
+  excess.force_error += moved;
+  excess.moment_error += moved * (std::hypot(s.x, s.y) + 2 * std::sqrt(s.polar));
+  return with_stribeck_excess(t, (law.mu_static - law.mu_kinetic) * normal_force, excess);
 }
 
 }  // namespace patchgrip::friction

@@ -20,11 +20,11 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <patchgrip/contact/require.h>
+#include <patchgrip/friction/hessian_beside.h>
 #include <patchgrip/friction/point_shares.h>
 #include <patchgrip/friction/stribeck_excess.h>
 
@@ -111,7 +111,7 @@ class Placed {
     // A turn takes eight roundings of extended precision.
     const double dv = (unit + (is_turned() ? 8 * fine_unit : 0)) * std::hypot(u.vx, u.vy);
     if (!(dv > 0)) return {};
-    const Hessian h = hessian_beside(u);
+    const Hessian h = hessian_beside(patch_, u);
     return {2 * dv * (h.xx + h.yy), 2 * dv * std::hypot(h.xw, h.yw)};
   }
 
@@ -150,19 +150,6 @@ class Placed {
   Wrench moved(const Wrench& g) const noexcept {
     const FineVector f = turned(g.fx, g.fy);
     return {static_cast<double>(f.x), static_cast<double>(f.y), static_cast<double>(g.m + (x_ * f.y - y_ * f.x))};
-  }
-
-  // Where the Hessian is infinite (the pole on a ring or a line load), that next to it.
-  Hessian hessian_beside(const Twist& u) const noexcept {
-    const double aside = 0x1p-50 * std::hypot(u.vx, u.vy);
-    for (const Twist& v : {u, Twist{u.vx + 0.8 * aside, u.vy - 0.6 * aside, u.w}}) {
-      try {
-        return patch_.hessian(v);
-      } catch (const std::domain_error&) {
-      }
-    }
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {infinity, infinity, infinity, infinity, infinity, infinity};
   }
 
   Hessian turned(const Hessian& h) const noexcept {

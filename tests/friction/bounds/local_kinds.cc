@@ -4,8 +4,10 @@
 
 #include <patchgrip/friction/line_load.h>
 #include <patchgrip/friction/local_stribeck.h>
+#include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/tests/friction/bounds/kind.h>
 #include <patchgrip/tests/friction/bounds/polygon_ring.h>
 #include <patchgrip/tests/friction/local_motions.h>
@@ -62,12 +64,28 @@ Case polygon(Draw& draw, double aspect) {
   return judged(far, stribeck_excess(patch, u), {exact.fx, exact.fy, exact.m}, reference_error, length);
 }
 
+// A disc down to a ten thousandth of its distance from the origin, turned or not, by the law.
+Case placed(Draw& draw) {
+  const double a = draw.log_uniform(1e-4, 1), v_S = draw.log_uniform(1e-2, 10), F_N = draw.log_uniform(1e-3, 1e3);
+  const PlanarFrame frame = draw_frame(draw, 1);
+  const Placed<UniformDisc> patch(UniformDisc::of_radius(a), frame);
+  const Twist own = random_twist(draw.engine(), a, a);
+  const Twist v{v_S * own.vx + v_S * own.w * frame.y, v_S * own.vy - v_S * own.w * frame.x, v_S * own.w};
+  const Quad ux = (v.vx - Quad(v.w) * frame.y) / v_S, uy = (v.vy + Quad(v.w) * frame.x) / v_S;
+  LocalExcess exact = uniform_ellipse_excess(a, a, {Long(ux), Long(uy), Long(Quad(v.w) / v_S)});
+  exact = -F_N * about_origin(exact, frame.x, frame.y);
+  const bool far = std::hypot(own.vx, own.vy) > 2 * a * std::fabs(own.w);
+  const BoundedWrench found = local_friction_wrench(Law::stribeck(1, 0, v_S), F_N, patch, v);
+  return judged(far, found, {exact.fx, exact.fy, exact.m}, F_N * reference_error, a + std::hypot(frame.x, frame.y));
+}
+
 }  // namespace
 
 // Errors of the moment are judged against the size of the patch, however small it is far from the pole.
 Kinds local_kinds() {
   Kinds kinds{{"local_ring", ring},
               {"local_line", line},
+              {"local_placed", placed},
               {"local_polygon", [](Draw& draw) { return polygon(draw, draw.coin() ? 1 : draw.log_uniform(1e-2, 1)); }},
               {"local_needle_polygon", [](Draw& draw) { return polygon(draw, draw.log_uniform(1e-6, 1e-3)); }},
               {"local_power_disc", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw, -0.5), 1, 1); }},
