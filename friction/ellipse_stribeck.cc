@@ -49,38 +49,41 @@ class Projection {
 };
 
 // int q g ds and int q s g ds of the wave g(c + k s) over [-1, 1]; c, k >= 0. The wave is folded at s = 0, and jumps
-// where it changes sign, at s = c / k. The third number is int q |g| ds.
-BoundedIntegrals<3> across(const Projection& q, double c, double k) noexcept {
+// where it changes sign, at s = c / k.
+BoundedIntegrals<2> across(const Projection& q, double c, double k) noexcept {
   const auto& g = kernels::StribeckWave::shared();
-  const auto folded = [&](double s, double one_minus_s, double argument) -> std::array<double, 3> {
+  const auto folded = [&](double s, double one_minus_s, double argument) -> std::array<double, 2> {
     const double forth = g(c + k * s), back = g(argument), pressure = q(one_minus_s * (1 + s));
-    return {pressure * (forth - back), pressure * s * (forth + back), pressure * (std::fabs(forth) + std::fabs(back))};
+    return {pressure * (forth - back), pressure * s * (forth + back)};
   };
   const double jump = c / k;
   if (!(jump < 1)) {
-    return integrate<3>([&](double s, double to_hi) { return folded(s, to_hi, k * s - c); }, 0, 1);
+    return integrate<2>([&](double s, double to_hi) { return folded(s, to_hi, k * s - c); }, 0, 1);
   }
-  BoundedIntegrals<3> sum =
-      integrate<3>([&](double s, double to_jump) { return folded(s, (1 - jump) + to_jump, -k * to_jump); }, 0, jump);
-  const BoundedIntegrals<3> beyond = integrate<3>(
+  BoundedIntegrals<2> sum =
+      integrate<2>([&](double s, double to_jump) { return folded(s, (1 - jump) + to_jump, -k * to_jump); }, 0, jump);
+  const BoundedIntegrals<2> beyond = integrate<2>(
       [&](double from_jump, double to_hi) { return folded(jump + from_jump, to_hi, k * from_jump); }, jump, 1);
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 2; ++i) {
     sum.value[i] += beyond.value[i];
     sum.error[i] += beyond.error[i];
   }
   return sum;
 }
 
-// See local_stribeck.h; x is the pole's place in semi-axes.
-double rounding_of(const PowerEllipse& zone, const Projection& q, double x) noexcept {
-  constexpr double of_place = 7, others = 17;  // units
-  const double slenderness = std::fabs(std::log(zone.a() / zone.b()));
+// See local_stribeck.h; x is the pole's place in semi-axes, u the largest speed.
+double rounding_of(const PowerEllipse& zone, const Projection& q, double x, double u) noexcept {
+  const bool round = zone.a() == zone.b();
+  const double of_place = round ? 5 : 8, of_argument = round ? 3 : 6;  // units, as all that follow
+  const double of_directions = round ? 0 : 4 * (1 + 2 / pi * std::fabs(std::log(zone.a() / zone.b())));
+  const double of_wave = 4 * pi / 2, steepest = std::min(1.336, 3 * pi / 2 * u * u);
   double condition = 1;
   if (zone.n() < 0) {
     const double from_rim = std::max(std::fabs(1 - x), of_place * unit);
     condition = q.scale() * std::min(1 / (zone.n() + 0.5), std::log((1 + x) / from_rim) + 1);
   }
-  return unit * (others + of_place * std::max(condition, 1.0)) * (1 + slenderness);
+  return unit *
+         (of_wave + steepest * (of_argument + of_directions) + (of_place + of_directions) * std::max(condition, 1.0));
 }
 
 }  // namespace
@@ -105,10 +108,11 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
     const double c = std::max(std::cos(phi), 0.0), s = std::sin(phi);
     const double nx = c * ex - s * ey, ny = c * ey + s * ex, W = round ? a : std::hypot(b * nx, a * ny);
     const auto wave = across(q, speed * c, w * W);
-    // q takes 4 + 3 |n|, the sum of two waves 1, times q 1; n of cosines 1, of u 2, their product 1, the sum 1, n g 1.
-    const double rounding = (12 + 3 * std::fabs(zone.n())) * unit * wave.value[2];
-    return {nx * wave.value[0], ny * wave.value[0], W / length * wave.value[1], wave.error[0] + rounding,
-            W / length * (wave.error[1] + rounding)};
+    // The error has 8 units of the integrand's size. Its roundings: q takes 4 + 3 |n|, the sum of two waves 1, times q
+    // and s 2; n of cosines 1, of u 2, their product 1, the sum 1, n g 1.
+    const double error = 1 + (13 + 3 * std::fabs(zone.n())) / 8;
+    return {nx * wave.value[0], ny * wave.value[0], W / length * wave.value[1], error * wave.error[0],
+            error * W / length * wave.error[1]};
   };
   // Cuts where the wave's jump leaves the zone (nowhere if the pole is inside), between them, where it comes nearest to
   // the rim, and across a long axis, where W turns.
@@ -138,7 +142,7 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
     g.value.fy = along * ey;
   }
   g.value.m *= std::copysign(1.0, u.w);
-  const double rounding = rounding_of(zone, q, level / w);
+  const double rounding = rounding_of(zone, q, level / w, speed + w * length);
   g.force_error += rounding;
   g.moment_error += rounding * length;
   return g;

@@ -23,21 +23,21 @@
 // Error    carried: that of t_k, that of v / v_S (below), and an estimate for E, mostly some 1e-15: of the quadrature
 //          (kernels/vector_quadrature.h) and of rounding, which is counted, in units of 2^-53:
 //
-//          Ellipses and discs. The wave g jumps by pi where it changes sign, at s = u . n / w W, which 7 roundings move
-//          by 7 units of itself; so on a disc, with the pole at x radii,
+//          Ellipses and discs. The wave g jumps by pi where it changes sign, at s = u . n / w W. Its place takes 8
+//          roundings, 5 on discs, where W takes none. They move it by so many units k of itself: the pole at x radii,
 //
-//              |dE| <= 7 units C(x),   C = int dphi s q(s),  s = x cos phi
+//              |dE| <= k units C(x),   C = int dphi s q(s),  s = x cos phi
 //
 //          C <= 1 for n >= 0. A projection that is infinite at the rim (n < 0, discs alone) has
 //
 //              C <= min(1 / (n + 1/2), ln((1 + x) / |1 - x|) + 1) / B(1/2, n + 1)
 //
 //          (the ring's is ln(...) / pi, any q is below pi / B of the ring's; 1 for the mean across the singularity),
-//          where |1 - x| is no less than the 7 units. Elsewhere these 7 and a sum move g by 8 units of |t g'(t)|, which
-//          is 1.336 at most, and g is known to 4 units of pi/2 (kernels/stribeck_wave.h): 17 units. On ellipses
-//          directions are rounded, too: int dphi a / W = 2 K <= pi + 2 ln(a / b), hence all of it 1 + ln(a / b) times.
-//          What is in proportion to the integrand, 12 + 3 |n| units, is integrated with it. Rings have no C: they are
-//          not integrated so.
+//          where |1 - x| is no less than the k units. Elsewhere w W s and the sum, 6 units, 3 on discs, move g by as
+//          many of |t g'(t)| <= min(1.336, 3 pi / 2 t^2); g is known to 4 units of pi/2 (kernels/stribeck_wave.h). On
+//          ellipses n is rounded, too, by 4 units, which move W by 4 a / W of itself, of which the mean is 2 K / pi <=
+//          1 + 2 ln(a / b) / pi: 4 units more, so many times, for the place and for t. What is in proportion to the
+//          integrand, 13 + 3 |n| units, is integrated with it. Rings have no C: they are not integrated so.
 //
 //          Polygons (polygon_stribeck.cc): in proportion to the triangles, whose sizes exceed their sum where the pole
 //          is beside a slender patch, by about its aspect.
@@ -59,18 +59,36 @@ namespace patchgrip::friction {
 BoundedWrench with_stribeck_excess(const BoundedWrench& kinetic, double excess_force,
                                    const BoundedWrench& excess) noexcept;
 
-// By how much the rounding of u = v / v_S can move the force of E [1]. With V the speed at the origin
-// |w| |P| <= V + |u_P|, so |du_P| <= 2^-53 (V + |w| |P|) <= 2^-53 (2 V + |u_P|). The integrand moves by |du_P| / |u_P|
-// at most, and the trace of the Hessian is the mean of 1 / |u_P|. Twice that, as it changes on the way (placed.h), and
-// never more than from E to -E.
+// E with what the rounding of u = v / v_S can move it by. With V the speed at the origin |w| |P| <= V + |u_P|, so that
+// |du_P| <= e (V + |w| |P|) <= e (2 V + |u_P|), e = 2^-53. Across u_P it turns the integrand by |du_P| / |u_P|; the
+// Hessian has the mean of 1 / |u_P|, its trace T, and that of q^2 / |u_P|, H_ww about the centroid, where q is the arm
+// of what is across. Along u_P the integrand changes by 2 |u_P| exp(-u_P^2) |du_P|, which is less, with an arm of r at
+// root mean square:
+//
+//     |dE_f| <= e (2 V T + 1),   |dE_m| <= e [2 V sqrt(T) (sqrt(H_ww) + r sqrt(0.58 / v_S)) + 2 r]
+//
+// (Cauchy, Schwarz; 4 s^3 exp(-2 s^2) <= 0.58). Twice that, as it changes on the way (placed.h), and never more than
+// from E to -E.
 template <Patch P>
-double rounding_of_speeds(const P& patch, const Twist& v) noexcept {
-  constexpr double unit = 0x1p-53, all = 2;
+BoundedWrench with_rounding_of_speeds(BoundedWrench E, const P& patch, const Twist& v, double v_S) noexcept {
+  constexpr double unit = 0x1p-53;
   const double V = std::hypot(v.vx, v.vy);
-  if (V == 0) return 2 * unit;
-  const Hessian h = hessian_beside(patch, v);
-  const double moved = 2 * unit * (2 * V * (h.xx + h.yy) + 1);
-  return moved < all ? moved : all;
+  const PressureMoments s = patch.moments();
+  const double arm = std::hypot(s.x, s.y), r = std::sqrt(s.polar);
+  double force = unit, moment = 2 * unit * r;
+  if (V > 0) {
+    const Hessian h = hessian_beside(patch, v);
+    const double T = h.xx + h.yy;
+    const double ww =
+        h.ww + 2 * (s.y * h.xw - s.x * h.yw) + (s.y * s.y * h.xx - 2 * s.x * s.y * h.xy + s.x * s.x * h.yy);
+    force += 2 * unit * V * T;
+    moment += 2 * unit * V * (std::sqrt(T * std::fabs(ww)) + r * std::sqrt(0.58 * T / v_S));
+  }
+  if (!(force < 1)) force = 1;
+  if (!(moment < r)) moment = r;
+  E.force_error += 2 * force;
+  E.moment_error += 2 * (arm * force + moment);
+  return E;
 }
 
 // Friction wrench at the twist v with the coefficient of each point; `normal_force` F_N [N], >= 0.
@@ -81,12 +99,9 @@ BoundedWrench local_friction_wrench(const Law& law, double normal_force, const P
   const BoundedWrench t = friction_wrench(kinetic, normal_force, patch, v);
   if (law.mu_static == law.mu_kinetic) return t;
   const double v_S = law.stribeck_velocity;
-  BoundedWrench excess = stribeck_excess(patch, {v.vx / v_S, v.vy / v_S, v.w / v_S});
-  const double moved = rounding_of_speeds(patch, v);
-  const PressureMoments s = patch.moments();
-  excess.force_error += moved;
-  excess.moment_error += moved * (std::hypot(s.x, s.y) + 2 * std::sqrt(s.polar));
-  return with_stribeck_excess(t, (law.mu_static - law.mu_kinetic) * normal_force, excess);
+  const BoundedWrench E = stribeck_excess(patch, {v.vx / v_S, v.vy / v_S, v.w / v_S});
+  return with_stribeck_excess(t, (law.mu_static - law.mu_kinetic) * normal_force,
+                              with_rounding_of_speeds(E, patch, v, v_S));
 }
 
 }  // namespace patchgrip::friction

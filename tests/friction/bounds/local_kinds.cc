@@ -7,6 +7,7 @@
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/polygon.h>
 #include <patchgrip/friction/ring.h>
+#include <patchgrip/friction/several.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/tests/friction/bounds/kind.h>
 #include <patchgrip/tests/friction/bounds/polygon_ring.h>
@@ -64,19 +65,41 @@ Case polygon(Draw& draw, double aspect) {
   return judged(far, stribeck_excess(patch, u), {exact.fx, exact.fy, exact.m}, reference_error, length);
 }
 
+// That of a disc at (x, y) about the origin.
+LocalExcess disc_excess(double a, double x, double y, const Twist& v, double v_S) {
+  const Quad ux = (v.vx - Quad(v.w) * y) / v_S, uy = (v.vy + Quad(v.w) * x) / v_S;
+  return about_origin(uniform_ellipse_excess(a, a, {Long(ux), Long(uy), Long(Quad(v.w) / v_S)}), x, y);
+}
+
+// A motion about (x, y) in units of v_S, as the origin sees it.
+Twist moved_to_origin(const Twist& own, double x, double y, double v_S) {
+  return {v_S * own.vx + v_S * own.w * y, v_S * own.vy - v_S * own.w * x, v_S * own.w};
+}
+
 // A disc down to a ten thousandth of its distance from the origin, turned or not, by the law.
 Case placed(Draw& draw) {
   const double a = draw.log_uniform(1e-4, 1), v_S = draw.log_uniform(1e-2, 10), F_N = draw.log_uniform(1e-3, 1e3);
   const PlanarFrame frame = draw_frame(draw, 1);
   const Placed<UniformDisc> patch(UniformDisc::of_radius(a), frame);
-  const Twist own = random_twist(draw.engine(), a, a);
-  const Twist v{v_S * own.vx + v_S * own.w * frame.y, v_S * own.vy - v_S * own.w * frame.x, v_S * own.w};
-  const Quad ux = (v.vx - Quad(v.w) * frame.y) / v_S, uy = (v.vy + Quad(v.w) * frame.x) / v_S;
-  LocalExcess exact = uniform_ellipse_excess(a, a, {Long(ux), Long(uy), Long(Quad(v.w) / v_S)});
-  exact = -F_N * about_origin(exact, frame.x, frame.y);
+  const Twist own = random_twist(draw.engine(), a, a), v = moved_to_origin(own, frame.x, frame.y, v_S);
+  const LocalExcess exact = -F_N * disc_excess(a, frame.x, frame.y, v, v_S);
   const bool far = std::hypot(own.vx, own.vy) > 2 * a * std::fabs(own.w);
   const BoundedWrench found = local_friction_wrench(Law::stribeck(1, 0, v_S), F_N, patch, v);
   return judged(far, found, {exact.fx, exact.fy, exact.m}, F_N * reference_error, a + std::hypot(frame.x, frame.y));
+}
+
+// A disc and a light one far from it, which the motion is about.
+Case light_part(Draw& draw) {
+  const double a = 0.01, b = draw.log_uniform(1e-5, 0.1), share = draw.log_uniform(1e-4, 0.1);
+  const double v_S = draw.log_uniform(1e-2, 10), x = draw.uniform(-1, 1), y = draw.uniform(-1, 1);
+  const Several patch =
+      Several::of_parts({{UniformDisc::of_radius(a), 1}, {Placed(UniformDisc::of_radius(b), x, y), share}});
+  const Twist own = random_twist(draw.engine(), b, b), v = moved_to_origin(own, x, y, v_S);
+  const LocalExcess exact =
+      -1 / (1 + Long(share)) * (disc_excess(a, 0, 0, v, v_S) + share * disc_excess(b, x, y, v, v_S));
+  const bool far = std::hypot(own.vx, own.vy) > 2 * b * std::fabs(own.w);
+  const BoundedWrench found = local_friction_wrench(Law::stribeck(1, 0, v_S), 1, patch, v);
+  return judged(far, found, {exact.fx, exact.fy, exact.m}, reference_error, std::hypot(x, y));
 }
 
 }  // namespace
@@ -86,6 +109,7 @@ Kinds local_kinds() {
   Kinds kinds{{"local_ring", ring},
               {"local_line", line},
               {"local_placed", placed},
+              {"local_light_part", light_part},
               {"local_polygon", [](Draw& draw) { return polygon(draw, draw.coin() ? 1 : draw.log_uniform(1e-2, 1)); }},
               {"local_needle_polygon", [](Draw& draw) { return polygon(draw, draw.log_uniform(1e-6, 1e-3)); }},
               {"local_power_disc", [](Draw& draw) { return power_ellipse(draw, draw_exponent(draw, -0.5), 1, 1); }},
