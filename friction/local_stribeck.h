@@ -37,7 +37,7 @@
 //          many of |t g'(t)| <= min(1.336, 3 pi / 2 t^2); g is known to 4 units of pi/2 (kernels/stribeck_wave.h). On
 //          ellipses n is rounded, too, by 4 units, which move W by 4 a / W of itself, of which the mean is 2 K / pi <=
 //          1 + 2 ln(a / b) / pi: 4 units more, so many times, for the place and for t. What is in proportion to the
-//          integrand, 13 + 3 |n| units, is integrated with it. Rings have no C: they are not integrated so.
+//          integrand is integrated with it (ellipse_stribeck.cc). Rings have no C: they are not integrated so.
 //
 //          Polygons (polygon_stribeck.cc): in proportion to the triangles, whose sizes exceed their sum where the pole
 //          is beside a slender patch, by about its aspect.
