@@ -1,8 +1,10 @@
 // Gauges of loads on any patch, and the slips that they start, with the errors of slip_error.h.
 //
-// Regions by the pole of the slip: near, far, and facet, where many loads start one slip about a point load.
+// Regions by the pole of the slip: near and far; facet, where many loads start one slip about a point load, and ridge,
+// where no one slip is known.
 #include <cmath>
 #include <memory>
+#include <string_view>
 
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/limit_surface/limit_surface.h>
@@ -17,6 +19,11 @@
 namespace patchgrip::friction::bounds {
 namespace {
 
+std::string_view region_of(GaugeStatus status, bool far) {
+  if (status == GaugeStatus::facet) return "facet";
+  return status == GaugeStatus::converged ? region(far) : "ridge";
+}
+
 template <Patch P>
 Case gauge_case(const LimitSurface<P>& surface, const GaugeReference& reference, const Wrench& t) {
   const Gauge g = surface.gauge(t);
@@ -26,7 +33,7 @@ Case gauge_case(const LimitSurface<P>& surface, const GaugeReference& reference,
   const SlipError error = slip_error(g, t, view(surface.patch()), frame);
   const auto length = [](const Real50& x, const Real50& y) { return static_cast<double>(sqrt(x * x + y * y)); };
   const bool far = length(truth->x - frame.x, truth->y - frame.y) > 2 * frame.length;
-  return {g.status == GaugeStatus::facet ? "facet" : region(far),
+  return {region_of(g.status, far),
           {judged("gauge", g, truth->gauge, truth->gauge),
            {"speed", error.speed, length(truth->twist[0] - g.twist.vx, truth->twist[1] - g.twist.vy)},
            {"spin", error.spin, static_cast<double>(abs(truth->twist[2] - g.twist.w))},
