@@ -162,13 +162,19 @@ class AtApproach {
   contact::Cycles<P> cycles_;
 };
 
-// At the times of the load; where the scene asks for the surface, at the last one alone.
+// At the times of the load; where the scene asks for the surface, at the times of that and at the load's last one.
 template <class Press>
 std::vector<Moment> moments_of(const Press& press, const PressScene& scene, const TimedLoad& load) {
   std::vector<Moment> moments;
-  for (std::size_t i = scene.profile.times ? load.times.size() - 1 : 0; i < load.times.size(); ++i) {
+  const auto add = [&](double t) {
     InterruptGuard::check();
-    moments.push_back(press.at(load.times[i]));
+    moments.push_back(press.at(t));
+  };
+  if (const auto& times = scene.profile.times) {
+    for (std::size_t i = 0; i < times->size(); ++i) at(*scene.profile.place, [&] { add((*times)[i]); });
+    add(load.times[load.times.size() - 1]);
+  } else {
+    for (std::size_t i = 0; i < load.times.size(); ++i) add(load.times[i]);
   }
   return moments;
 }

@@ -183,6 +183,18 @@ TEST(Press, CyclesAgreeWithTheTable) {
   FAIL() << "the scene does not ask for t = 0.8 s";
 }
 
+TEST(Press, WarnsOfTheSteepestSurfaceOverTime) {
+  const std::string scene =
+      "[contact]\n[[contact.bodies]]\nradius = 20e-3\nrigid = true\n[[contact.bodies]]\nplane = true\n"
+      "poynting_thomson = { E1 = 25e3, E2 = 25e3, eta = 5e3 }\npoisson_ratio = 0.5\n"
+      "[load]\napproach = [[0, 0.0], [1, 5e-3], [2, 0.1e-3]]\ntimes = [1.7]\n[profile]\ndistance = [0]\n";
+  const auto warnings = [&](const std::string& times) {
+    return press_over_time(press_scene(scene + "times = " + times)).answer.warnings;
+  };
+  EXPECT_THAT(warnings("[1.7]"), ::testing::ElementsAre(HasSubstr("a/R = 0.18 is not small")));
+  EXPECT_THAT(warnings("[1]"), ::testing::ElementsAre(HasSubstr("a/R = 0.5 is not small")));
+}
+
 TEST(Press, GivenPressureOfHertzMakesAParaboloid) {
   const std::string text =
       "[contact]\npatch = \"hertz_disc\"\nradius = 4e-3\nnormal_force = 0.2844416\ncontact_modulus = 66666\n";
