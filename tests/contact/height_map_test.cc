@@ -76,7 +76,7 @@ TEST(HeightMap, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT([] { read(row(8, "nan")); }, refused("map.csv:1: column 1: 'nan' is not a finite double"));
   EXPECT_THAT([] { read(row(8, "-inf")); }, refused("map.csv:1: column 1: '-inf' is not a finite double"));
   EXPECT_THAT([] { read(row(8, "1e400")); }, refused("map.csv:1: column 1: '1e400' is not a finite double"));
-  EXPECT_THAT([] { read(std::string(40, 'a') + "\x1b[2J"); },
+  EXPECT_THAT([] { read(std::string(40, 'a').append("\x1b[2J")); },
               refused("map.csv:1: column 1: '" + std::string(30, 'a') + "...' is not a number"));
 }
 
