@@ -43,18 +43,29 @@ struct Triangles {
   Wide twice_area{0};
 };
 
-// `f(px, py, ex, ey)`: the start of an edge seen from (X, Y), and the edge.
+// One of the triangles between (X, Y) and the edges: the start of its edge seen from there, and the edge.
+struct Triangle {
+  Wide px, py, ex, ey;
+  Wide twice_area;  // signed
+};
+
+// `add_to(sum, triangle)` for all that have an area.
 template <class F>
-void for_each_edge(const kernels::Boundary<double>& boundary, const Wide& X, const Wide& Y, F&& f) {
+Triangles over_triangles(const kernels::Boundary<double>& boundary, const Wide& X, const Wide& Y, F&& add_to) {
+  Triangles triangles;
   std::size_t first = 0;
   for (const std::size_t end : boundary.ring_ends) {
     for (std::size_t i = first; i < end; ++i) {
       const auto& p = boundary.vertices[i];
       const auto& q = boundary.vertices[i + 1 < end ? i + 1 : first];
-      f(Wide(p.x - X), Wide(p.y - Y), Wide(Wide(q.x) - p.x), Wide(Wide(q.y) - p.y));
+      Triangle t{p.x - X, p.y - Y, Wide(q.x) - p.x, Wide(q.y) - p.y, 0};
+      t.twice_area = t.px * t.ey - t.py * t.ex;
+      triangles.twice_area += t.twice_area;
+      if (t.twice_area != 0) add_to(triangles.sum, t);
     }
     first = end;
   }
+  return triangles;
 }
 
 // Triangles between the pole and the edges, along the rays in closed form; the moment is about the pole. With the foot
@@ -63,11 +74,8 @@ void for_each_edge(const kernels::Boundary<double>& boundary, const Wide& X, con
 Triangles about_pole(const kernels::Boundary<double>& boundary, const Wide& X, const Wide& Y, double w,
                      double length) noexcept {
   constexpr double of_force = 6, of_moment = 19;  // units
-  Triangles triangles;
-  for_each_edge(boundary, X, Y, [&](const Wide& px, const Wide& py, const Wide& ex, const Wide& ey) {
-    const Wide twice_triangle = px * ey - py * ex;
-    triangles.twice_area += twice_triangle;
-    if (twice_triangle == 0) return;
+  return over_triangles(boundary, X, Y, [&](BoundedIntegrals<5>& sum, const Triangle& triangle) {
+    const auto& [px, py, ex, ey, twice_triangle] = triangle;
     const Wide side = sqrt(ex * ex + ey * ey), start = (px * ex + py * ey) / side, stop = start + side;
     const auto h = static_cast<long double>(twice_triangle / side);
     const auto tx = static_cast<long double>(ex / side), ty = static_cast<long double>(ey / side);
@@ -83,12 +91,11 @@ Triangles about_pole(const kernels::Boundary<double>& boundary, const Wide& X, c
               of_force * unit * static_cast<double>(std::fabs(k)),
               of_moment * unit * static_cast<double>(std::fabs(m))};
     };
-    add(triangles.sum, integrate<5>([&](double, double to_foot) { return at(t_foot - to_foot); }, 0,
-                                    static_cast<double>(foot - start)));
-    add(triangles.sum, integrate<5>([&](double from_foot, double) { return at(t_foot + from_foot); }, 0,
-                                    static_cast<double>(stop - foot)));
+    add(sum, integrate<5>([&](double, double to_foot) { return at(t_foot - to_foot); }, 0,
+                          static_cast<double>(foot - start)));
+    add(sum, integrate<5>([&](double from_foot, double) { return at(t_foot + from_foot); }, 0,
+                          static_cast<double>(stop - foot)));
   });
-  return triangles;
 }
 
 // Triangles between a centre and the edges, point by point; the moment is about the centre, u the twist there. The pole
@@ -97,13 +104,10 @@ Triangles about_pole(const kernels::Boundary<double>& boundary, const Wide& X, c
 Triangles about_centre(const kernels::Boundary<double>& boundary, double X, double Y, const Twist& u,
                        double length) noexcept {
   constexpr double of_force = 22, of_moment = 32;  // units
-  Triangles triangles;
-  for_each_edge(boundary, X, Y, [&](const Wide& Px, const Wide& Py, const Wide& Ex, const Wide& Ey) {
-    const Wide cross = Px * Ey - Py * Ex;
-    triangles.twice_area += cross;
-    const auto px = static_cast<double>(Px), py = static_cast<double>(Py);
-    const auto qx = static_cast<double>(Px + Ex), qy = static_cast<double>(Py + Ey);
-    const auto twice_triangle = static_cast<double>(cross);
+  return over_triangles(boundary, X, Y, [&](BoundedIntegrals<5>& sum, const Triangle& triangle) {
+    const auto px = static_cast<double>(triangle.px), py = static_cast<double>(triangle.py);
+    const auto qx = static_cast<double>(triangle.px + triangle.ex), qy = static_cast<double>(triangle.py + triangle.ey);
+    const auto twice_triangle = static_cast<double>(triangle.twice_area);
     const double force_rounding = of_force / 2 * unit * std::fabs(twice_triangle);    // int l dl
     const double moment_rounding = of_moment / 3 * unit * std::fabs(twice_triangle);  // int l^2 dl
     const auto ray = [&](double from_p, double to_q) -> ExcessParts {
@@ -117,9 +121,8 @@ Triangles about_centre(const kernels::Boundary<double>& boundary, double X, doub
       const auto [value, error] = integrate<3>(point, 0, 1);
       return {value[0], value[1], value[2], error[0] + error[1] + force_rounding, error[2] + moment_rounding};
     };
-    add(triangles.sum, integrate<5>(ray, 0, 1));
+    add(sum, integrate<5>(ray, 0, 1));
   });
-  return triangles;
 }
 
 }  // namespace
