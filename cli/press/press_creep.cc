@@ -162,7 +162,7 @@ class AtApproach {
   contact::Cycles<P> cycles_;
 };
 
-// At the times of the load; where the scene asks for the surface, at the times of that and at the load's last one.
+// At the times of the load; where the scene asks for the surface, at the times of that and then the load's last one.
 template <class Press>
 std::vector<Moment> moments_of(const Press& press, const PressScene& scene, const TimedLoad& load) {
   std::vector<Moment> moments;
@@ -224,14 +224,14 @@ Table history_columns() {
 
 // Pressure and, where the load is a force, displacement along a line at the times of the request.
 template <class Press>
-Table surface_over_time(const Press& press, const ProfileRequest& request) {
+Table surface_over_time(const Press& press, const ProfileRequest& request, const std::vector<Moment>& moments) {
   constexpr bool knows_displacement = requires { press.displacement(0., 0.); };
   Table table{{"t_s", "x_m", "pressure_Pa", "pressure_error_Pa"}, {}};
   if (knows_displacement) table.columns.insert(table.columns.end(), {"displacement_m", "displacement_error_m"});
   at(*request.place, [&] {
     for (std::size_t k = 0; k < request.times->size(); ++k) {
       const double t = (*request.times)[k];
-      const Sequence distance = request.distances(press.at(t).radius.value);
+      const Sequence distance = request.distances(moments[k].radius.value);
       for (std::size_t i = 0; i < distance.size(); ++i) {
         InterruptGuard::check();
         const double r = distance[i];
@@ -277,7 +277,7 @@ PressedOverTime under_force(const P& profile, const ProfileName& name, const Con
   }
   warn_if_steep(result.answer, scene, profile, moments);
   if (scene.profile.times) {
-    result.table = surface_over_time(press, scene.profile);
+    result.table = surface_over_time(press, scene.profile, moments);
     return result;
   }
   result.table = history_columns();
@@ -308,7 +308,7 @@ PressedOverTime at_approach(const P& profile, const ProfileName& name, const Con
                         name.remark + "; a foundation of independent springs in closed form, any number of cycles"};
   warn_if_steep(result.answer, scene, profile, moments);
   if (scene.profile.times) {
-    result.table = surface_over_time(press, scene.profile);
+    result.table = surface_over_time(press, scene.profile, moments);
     return result;
   }
   result.table = history_columns();
