@@ -7,8 +7,8 @@
 // Domain   at an end no worse than the inverse of a root.
 // Error    the step is halved, which doubles the digits, until three results agree in two thirds of the digits: mostly
 //          below 8, at most 64 units of rounding of int |f|, for f accurate to rounding. (Two may meet by chance: with
-//          a pole next to an end the error swings as it falls.) The bound that comes along is the last difference and 16
-//          such units. For what is not smooth inside results never agree so well; then it is 16 times the last
+//          a pole next to an end the error swings as it falls.) The bound that comes along is the last difference and
+//          16 such units. For what is not smooth inside results never agree so well; then it is 16 times the last
 //          difference, a fair guess and no proof.
 // Throws   std::runtime_error where f is not finite.
 #pragma once

@@ -26,8 +26,9 @@
 // Units    R, r, a [m]; the rest as in axisymmetric.h.
 // Error    units of 2^-53, relative: 4 of delta, 14 of F, 8 of p, 64 of u_z, 6 of the radius and of s, over the whole
 //          domain; tests/contact/sphere_test.cc. Of F: around a = 3/4 R its terms are good to 12 with their weights,
-//          most of that from the rounding of a/R, and 2 are of the factor R^2. Of u_z: the terms of the closed form together
-//          are at most 6 times their sum (a = R/2, r = sqrt(2) a), each is good to 10, and 3 are of the factor.
+//          most of that from the rounding of a/R, and 2 are of the factor R^2. Of u_z: the terms of the closed form
+//          together are at most 6 times their sum (a = R/2, r = sqrt(2) a), each is good to 10, and 3 are of the
+//          factor.
 // Fails    beyond its equator the sphere has no height: f is +infinity for r > R.
 // Throws   std::invalid_argument outside the domain.
 #pragma once

@@ -2,8 +2,8 @@
 //
 // Error    of a value v: the larger of |v - v_coarse| / 2.4 and c (h / a)^2 v, and the solver's residual times v; a is
 //          the radius of a circle of the contact's area, h the longer side of a cell. A round Hertz contact is off by
-//          up to 3 c (h / a)^2, also when two grids agree by chance: its peak by 1/4 (h / a)^2 where it lies in the corner
-//          of a cell. Infinite for what the coarser grid does not have. tests/contact/press_test.cc.
+//          up to 3 c (h / a)^2, also when two grids agree by chance: its peak by 1/4 (h / a)^2 where it lies in the
+//          corner of a cell. Infinite for what the coarser grid does not have. tests/contact/press_test.cc.
 // Units    of p / E*: forces [m^2], pressures [1]; approach [m], areas [m^2].
 #pragma once
 
