@@ -39,12 +39,12 @@ Wrench draw(std::mt19937_64& engine) {
 
 TEST(HertzGauge, IsExactToRounding) {
   const HertzGauge gauge = HertzGauge::of_radius(a);
-  const RoundGaugeReference reference(1, a);
+  const RoundGaugeReference reference(1);
   const HertzDisc disc = HertzDisc::of_radius(a);
   std::mt19937_64 engine(1);
   for (int i = 0; i < cases(1000); ++i) {
     const Wrench t = draw(engine);
-    const RoundGaugeReference::Result exact = reference.gauge(t);
+    const RoundGaugeReference::Result exact = reference.gauge(t, a);
     ASSERT_LE(units_of_rounding(gauge.value(t), exact.value), 8) << t.fx << ' ' << t.fy << ' ' << t.m;
     const Gauge g = gauge.gauge(t);
     ASSERT_LE(g.lower, exact.value);

@@ -16,12 +16,12 @@ class RoundGaugeReference {
     Real50 x;  // pole distance per radius
   };
 
-  RoundGaugeReference(double n, double radius) : family_(n), radius_(radius) {}
+  explicit RoundGaugeReference(double n) : family_(n) {}
 
   // The root is sought as s = x / (1 + x).
-  Result gauge(const Wrench& t) const {
+  Result gauge(const Wrench& t, double radius) const {
     const Real50 F = sqrt(Real50(t.fx) * t.fx + Real50(t.fy) * t.fy);
-    const Real50 M = abs(Real50(t.m)) / radius_;
+    const Real50 M = abs(Real50(t.m)) / radius;
     const auto excess = [&](const Real50& s) -> Real50 {
       const auto [f, m] = at(s);
       return f * M - F * m;
@@ -45,7 +45,6 @@ class RoundGaugeReference {
   }
 
   kernels::PowerFamily<Real50> family_;
-  double radius_;
 };
 
 }  // namespace patchgrip::friction

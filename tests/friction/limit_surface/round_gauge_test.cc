@@ -28,14 +28,14 @@ using ::patchgrip::testing::units_of_rounding;
 
 template <class P>
 void expect_exact(const P& disc, double n, unsigned seed) {
-  const RoundGaugeReference reference(n, disc.radius());
+  const RoundGaugeReference reference(n);
   const RoundLimitSurface surface(disc);
   std::mt19937_64 engine(seed);
   const PressureMoments moments = disc.moments();
   for (int i = 0; i < cases(150); ++i) {
     const Wrench t = draw_load(engine, moments);
     const Gauge g = surface.gauge(t);
-    const RoundGaugeReference::Result exact = reference.gauge(t);
+    const RoundGaugeReference::Result exact = reference.gauge(t, disc.radius());
     ASSERT_EQ(g.status, GaugeStatus::converged);
     ASSERT_LE(units_of_rounding(g.value, exact.value), 8) << t.fx << ' ' << t.fy << ' ' << t.m;
     ASSERT_LE(g.lower, exact.value);
