@@ -11,6 +11,15 @@ constexpr double unit = 0x1p-53;
 
 }  // namespace
 
+BoundedWrench with_change(BoundedWrench E, const PressureMoments& s, double force, double moment) noexcept {
+  const double r = std::sqrt(s.polar);
+  if (!(force < 1)) force = 1;
+  if (!(moment < r)) moment = r;
+  E.force_error += 2 * force;
+  E.moment_error += 2 * (std::hypot(s.x, s.y) * force + moment);
+  return E;
+}
+
 BoundedWrench stribeck_excess(const PointLoad&, const Twist& u) noexcept {
   const double speed = std::hypot(u.vx, u.vy);
   if (speed == 0) return {};

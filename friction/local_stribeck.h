@@ -60,35 +60,26 @@ BoundedWrench with_stribeck_excess(const BoundedWrench& kinetic, double excess_f
                                    const BoundedWrench& excess) noexcept;
 
 // E with what the rounding of u = v / v_S can move it by. With V the speed at the origin |w| |P| <= V + |u_P|, so that
-// |du_P| <= e (V + |w| |P|) <= e (2 V + |u_P|), e = 2^-53. Across u_P it turns the integrand by |du_P| / |u_P|; the
-// Hessian has the mean of 1 / |u_P|, its trace T, and that of q^2 / |u_P|, H_ww about the centroid, where q is the arm
-// of what is across. Along u_P the integrand changes by 2 |u_P| exp(-u_P^2) |du_P|, which is less, with an arm of r at
-// root mean square:
+// |du_P| <= e (V + |w| |P|) <= e (2 V + |u_P|), e = 2^-53. Across u_P it turns the integrand by |du_P| / |u_P|, of which
+// hessian_beside.h has the means, T and S. Along u_P the integrand changes by 2 |u_P| exp(-u_P^2) |du_P|, which is less,
+// with an arm of r at root mean square:
 //
-//     |dE_f| <= e (2 V T + 1),   |dE_m| <= e [2 V sqrt(T) (sqrt(H_ww) + r sqrt(0.58 / v_S)) + 2 r]
+//     |dE_f| <= e (2 V T + 1),   |dE_m| <= e [2 V (S + r sqrt(0.58 T / v_S)) + 2 r]
 //
-// (Cauchy, Schwarz; 4 s^3 exp(-2 s^2) <= 0.58). Twice that, as it changes on the way (placed.h), and never more than
-// from E to -E.
+// (4 s^3 exp(-2 s^2) <= 0.58).
 template <Patch P>
 BoundedWrench with_rounding_of_speeds(BoundedWrench E, const P& patch, const Twist& v, double v_S) noexcept {
   constexpr double unit = 0x1p-53;
   const double V = std::hypot(v.vx, v.vy);
   const PressureMoments s = patch.moments();
-  const double arm = std::hypot(s.x, s.y), r = std::sqrt(s.polar);
+  const double r = std::sqrt(s.polar);
   double force = unit, moment = 2 * unit * r;
   if (V > 0) {
-    const Hessian h = hessian_beside(patch, v);
-    const double T = h.xx + h.yy;
-    const double ww =
-        h.ww + 2 * (s.y * h.xw - s.x * h.yw) + (s.y * s.y * h.xx - 2 * s.x * s.y * h.xy + s.x * s.x * h.yy);
+    const auto [T, S] = reciprocal_speeds(patch, v);
     force += 2 * unit * V * T;
-    moment += 2 * unit * V * (std::sqrt(T * std::fabs(ww)) + r * std::sqrt(0.58 * T / v_S));
+    moment += 2 * unit * V * (S + r * std::sqrt(0.58 * T / v_S));
   }
-  if (!(force < 1)) force = 1;
-  if (!(moment < r)) moment = r;
-  E.force_error += 2 * force;
-  E.moment_error += 2 * (arm * force + moment);
-  return E;
+  return with_change(E, s, force, moment);
 }
 
 // Friction wrench at the twist v with the coefficient of each point; `normal_force` F_N [N], >= 0.

@@ -101,6 +101,11 @@ class Placed {
     return {static_cast<double>(cos_ * ux + sin_ * uy), static_cast<double>(cos_ * uy - sin_ * ux), v.w};
   }
 
+  // Of the velocity u = local(v): a turn takes eight roundings of extended precision.
+  double rounding_of(const Twist& u) const noexcept {
+    return (unit + (is_turned() ? 8 * fine_unit : 0)) * std::hypot(u.vx, u.vy);
+  }
+
   // By how much the rounding of u = local(v) can move the patch's force and moment. The first is the mean of 1 / |u_P|
   // over the pressure times a length of velocity.
   struct Shift {
@@ -108,8 +113,7 @@ class Placed {
     double moment = 0;  // [m]
   };
   Shift shift_at(const Twist& u) const noexcept {
-    // A turn takes eight roundings of extended precision.
-    const double dv = (unit + (is_turned() ? 8 * fine_unit : 0)) * std::hypot(u.vx, u.vy);
+    const double dv = rounding_of(u);
     if (!(dv > 0)) return {};
     const Hessian h = hessian_beside(patch_, u);
     return {2 * dv * (h.xx + h.yy), 2 * dv * std::hypot(h.xw, h.yw)};
@@ -171,13 +175,14 @@ template <class P>
 requires requires(const P& patch, const Twist& u) { stribeck_excess(patch, u); }
 BoundedWrench stribeck_excess(const Placed<P>& placed, const Twist& u) noexcept {
   const Twist own = placed.local(u);
-  BoundedWrench g = stribeck_excess(placed.patch(), own);
-  // The integrand of E changes with u_P by at most 1 / |u_P|, as that of grad D does.
-  const double shift = placed.shift_at(own).force;
-  const PressureMoments s = placed.patch().moments();
-  g.force_error += shift;
-  g.moment_error += shift * (std::hypot(s.x, s.y) + 2 * std::sqrt(s.polar));
-  return placed.in_contact_frame(g);
+  BoundedWrench E = stribeck_excess(placed.patch(), own);
+  if (const double du = placed.rounding_of(own); du > 0) {
+    // The integrand changes by no more than du / |u_P|; by less along u_P, with an arm of r (local_stribeck.h).
+    const PressureMoments s = placed.patch().moments();
+    const auto [T, S] = reciprocal_speeds(placed.patch(), own);
+    E = with_change(E, s, du * T, du * (S + std::sqrt(0.58 * T * s.polar)));
+  }
+  return placed.in_contact_frame(E);
 }
 
 }  // namespace patchgrip::friction

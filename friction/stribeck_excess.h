@@ -61,6 +61,10 @@ BoundedWrench stribeck_excess(const SeedHertzDisc& disc, const Twist& u) noexcep
 BoundedWrench stribeck_excess(const Several& several, const Twist& u) noexcept;
 BoundedWrench stribeck_excess(const UniformDisc& disc, const Twist& u) noexcept;
 
+// E where its motion is rounded, which changes its force by so much and its moment about the centroid: twice that, as it
+// changes on the way (placed.h), and never more than from E to -E.
+BoundedWrench with_change(BoundedWrench E, const PressureMoments& s, double force, double moment) noexcept;
+
 template <class P>
 concept LocalPatch = Patch<P> && requires(const P& patch, const Twist& u) {
   stribeck_excess(patch, u);

@@ -66,9 +66,9 @@ Case polygon(Draw& draw, double aspect) {
 }
 
 // That of a disc at (x, y) about the origin.
-LocalExcess disc_excess(double a, double x, double y, const Twist& v, double v_S) {
-  const Quad ux = (v.vx - Quad(v.w) * y) / v_S, uy = (v.vy + Quad(v.w) * x) / v_S;
-  return about_origin(uniform_ellipse_excess(a, a, {Long(ux), Long(uy), Long(Quad(v.w) / v_S)}), x, y);
+LocalExcess disc_excess(double a, const Quad& x, const Quad& y, const Twist& v, double v_S) {
+  const Quad ux = (v.vx - v.w * y) / v_S, uy = (v.vy + v.w * x) / v_S;
+  return about_origin(uniform_ellipse_excess(a, a, {Long(ux), Long(uy), Long(Quad(v.w) / v_S)}), Long(x), Long(y));
 }
 
 // A motion about (x, y) in units of v_S, as the origin sees it.
@@ -88,18 +88,23 @@ Case placed(Draw& draw) {
   return judged(far, found, {exact.fx, exact.fy, exact.m}, F_N * reference_error, a + std::hypot(frame.x, frame.y));
 }
 
-// A disc and a light one far from it, which the motion is about.
+// A disc and a light one far from it, which the motion is about, in a frame of their own.
 Case light_part(Draw& draw) {
   const double a = 0.01, b = draw.log_uniform(1e-5, 0.1), share = draw.log_uniform(1e-4, 0.1);
   const double v_S = draw.log_uniform(1e-2, 10), x = draw.uniform(-1, 1), y = draw.uniform(-1, 1);
-  const Several patch =
-      Several::of_parts({{UniformDisc::of_radius(a), 1}, {Placed(UniformDisc::of_radius(b), x, y), share}});
-  const Twist own = random_twist(draw.engine(), b, b), v = moved_to_origin(own, x, y, v_S);
+  const PlanarFrame frame = draw.coin() ? draw_frame(draw, 1) : PlanarFrame{};
+  const Placed patch(
+      Several::of_parts({{UniformDisc::of_radius(a), 1}, {Placed(UniformDisc::of_radius(b), x, y), share}}), frame);
+  const Quad c = cos(Quad(frame.angle)), s = sin(Quad(frame.angle));
+  const Quad X = frame.x + c * x - s * y, Y = frame.y + s * x + c * y;
+  const Twist own = random_twist(draw.engine(), b, b);
+  const Twist v = moved_to_origin(own, static_cast<double>(X), static_cast<double>(Y), v_S);
   const LocalExcess exact =
-      -1 / (1 + Long(share)) * (disc_excess(a, 0, 0, v, v_S) + share * disc_excess(b, x, y, v, v_S));
+      -1 / (1 + Long(share)) * (disc_excess(a, frame.x, frame.y, v, v_S) + share * disc_excess(b, X, Y, v, v_S));
   const bool far = std::hypot(own.vx, own.vy) > 2 * b * std::fabs(own.w);
   const BoundedWrench found = local_friction_wrench(Law::stribeck(1, 0, v_S), 1, patch, v);
-  return judged(far, found, {exact.fx, exact.fy, exact.m}, reference_error, std::hypot(x, y));
+  return judged(far, found, {exact.fx, exact.fy, exact.m}, reference_error,
+                std::hypot(x, y) + std::hypot(frame.x, frame.y));
 }
 
 }  // namespace
