@@ -1,0 +1,49 @@
+// One contact on a rigid object: where it is, how it is turned and what it can transmit.
+//
+// n is the outward normal of the object, (u, v, n) a right-handed frame. With the normal force F >= 0 and the friction
+// t = (R_u, R_v, R_M) the object feels
+//
+//     force = -F n + R_u u + R_v v,    moment = r x force + R_M n,    v = n x u                  (seed 4.66)
+//
+// and slides against the contact with (u . w, v . w, n . omega), w = v_0 + omega x r, when it moves with (v_0, omega).
+//
+// Units    r [m]; n and u any length.
+// Throws   std::invalid_argument unless all are finite and n and u span a plane.
+#pragma once
+
+#include <optional>
+
+#include <patchgrip/grasp/friction_cone.h>
+#include <patchgrip/grasp/spatial.h>
+
+namespace patchgrip::grasp {
+
+struct ContactFrame {
+  Vector3 position;
+  Vector3 normal;                  // outward
+  std::optional<Vector3> tangent;  // u, made orthogonal to the normal; any if not given
+};
+
+class Contact {
+ public:
+  Contact(const ContactFrame& frame, FrictionCone cone);
+
+  const Vector3& position() const noexcept { return r_; }
+  const Vector3& normal() const noexcept { return n_; }
+  const Vector3& u() const noexcept { return u_; }
+  const Vector3& v() const noexcept { return v_; }
+  const FrictionCone& cone() const noexcept { return cone_; }
+
+  // Wrench on the object.
+  Vector6 wrench(double normal_force, const Vector3& friction) const noexcept;
+
+  // How the object slides against the contact, (v_u, v_v, w), and how fast it leaves it, -n . w.
+  friction::Twist sliding(const Vector6& twist) const noexcept;
+  double opening(const Vector6& twist) const noexcept;
+
+ private:
+  Vector3 r_, n_, u_, v_;
+  FrictionCone cone_;
+};
+
+}  // namespace patchgrip::grasp

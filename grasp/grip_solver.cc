@@ -1,0 +1,112 @@
+#include <patchgrip/grasp/grip_solver.h>
+
+#include <algorithm>
+
+namespace patchgrip::grasp {
+
+GripSolver::GripSolver(const ScaledGrasp& grasp, const GripSettings& settings)
+    : grasp_(&grasp),
+      settings_(settings),
+      interior_(grasp),
+      polish_(grasp),
+      bracket_(grasp),
+      forces_(grasp.parts().size()) {}
+
+bool GripSolver::cannot() const noexcept {
+  const bool bounded = problem_.objective == Objective::max_force || problem_.objective == Objective::total_force;
+  return bounded && bracket_.lower() > settings_.force_limit;
+}
+
+void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
+  problem_ = problem;
+  bracket_.reset(problem);
+  effort_ = {};
+  if (problem.objective != Objective::load_factor && problem.load.isZero(0)) {
+    std::ranges::fill(forces_, PartForce{});
+    bracket_.add_forces(forces_, 0);
+    effort_.route = Route::no_load;
+    return;
+  }
+  if (warm && polished_ && try_warm()) return;
+  polished_ = false;
+  if (grasp_->rank() < 6 && problem.objective != Objective::distance) {
+    const Vector6 off =
+        grasp_->unresisted() * (problem.objective == Objective::load_factor ? problem.step : problem.load);
+    if (off.norm() > 100 * grasp_->rounding()) {
+      bracket_.add_twist(off);
+      effort_.route = Route::range;
+      if (cannot()) return;
+    }
+  }
+  interior_.start(problem);
+  double tolerance = settings_.interior_tolerance;
+  for (int attempt = 0; attempt < 3; ++attempt, tolerance *= 1e-2) {
+    const InteriorPoint::Status status = interior_.run(tolerance, settings_.max_iterations);
+    effort_.iterations = interior_.iterations();
+    if (status == InteriorPoint::Status::infeasible) {
+      bracket_.add_twist(interior_.twist());
+      effort_.route = Route::ray;
+      return;
+    }
+    polish_.identify(problem, interior_);
+    polished_ = polish_.run(problem, settings_.max_repairs);
+    effort_.newton_steps += polish_.steps();
+    effort_.repairs += polish_.repairs();
+    effort_.route = Route::polished;
+    bracket_polish();
+    if (closed()) return;
+    bracket_interior();
+    if (closed()) {
+      effort_.route = Route::interior;
+      return;
+    }
+    if (status == InteriorPoint::Status::stalled) return;
+  }
+}
+
+bool GripSolver::try_warm() noexcept {
+  polish_.restart(polish_.twist(), polish_.value());
+  if (polish_.run(problem_, 4)) bracket_polish();
+  effort_.newton_steps = polish_.steps();
+  effort_.repairs = polish_.repairs();
+  effort_.route = Route::warm;
+  if (closed()) return true;
+  bracket_.reset(problem_);
+  return false;
+}
+
+void GripSolver::bracket_polish() noexcept {
+  if (!polish_.twist().allFinite()) return;
+  bracket_.add_twist(polish_.twist());
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const PartState& state = polish_.parts()[i];
+    const Element& element = grasp_->parts()[i].element;
+    forces_[i] = {};
+    if (!state.active) continue;
+    const bool slips = state.slide == Slide::slips;
+    // Rounding leaves a free force that is 0 a little on the wrong side.
+    const double force = std::max(state.force, 0.0);
+    if (element.kind() == Element::Kind::normal) {
+      forces_[i].force = force;
+    } else if (slips) {
+      forces_[i] = {force, -element.mu() * force * element.gradient(state.v), true};
+    } else {
+      forces_[i] = {force, state.friction, false};
+    }
+  }
+  bracket_.add_forces(forces_, polish_.value());
+}
+
+void GripSolver::bracket_interior() noexcept {
+  bracket_.add_twist(interior_.twist());
+  if (!interior_.balance()) return;
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const InteriorPoint::PartPoint p = interior_.part(i);
+    const Element& element = grasp_->parts()[i].element;
+    forces_[i] = {std::max(p.force, 0.0), p.friction, false};
+    if (element.kind() == Element::Kind::normal) forces_[i].friction.setZero();
+  }
+  bracket_.add_forces(forces_, interior_.value());
+}
+
+}  // namespace patchgrip::grasp

@@ -1,0 +1,62 @@
+// Solves one of the problems of grip_problem.h: interior point, polish, bracket.
+//
+//     range            what no contact resists of the load is a proof that it cannot be held
+//     interior point   to interior_tolerance, then again two digits further while the bracket stays open
+//     polish           Newton on the exact D, from what the interior point says slips, sticks and opens
+//     bracket          of the polished twist and forces; else of those of the interior point put into balance
+//
+// The bracket is all that counts: no answer rests on a flag of a solver.
+//
+// Memory   allocated by the constructor; nothing after.
+#pragma once
+
+#include <patchgrip/grasp/bracket.h>
+#include <patchgrip/grasp/grip_settings.h>
+#include <patchgrip/grasp/interior_point.h>
+#include <patchgrip/grasp/polish.h>
+
+namespace patchgrip::grasp {
+
+// What closed the bracket, or was done last.
+enum class Route { no_load, range, ray, warm, polished, interior };
+
+struct Effort {
+  Route route = Route::interior;
+  int iterations = 0;  // of the interior point
+  int newton_steps = 0;
+  int repairs = 0;
+};
+
+class GripSolver {
+ public:
+  GripSolver(const ScaledGrasp& grasp, const GripSettings& settings);
+
+  // From nothing, or from the states of the last problem that it polished.
+  void solve(const GripProblem& problem, bool warm) noexcept;
+
+  // One more twist for the bracket.
+  void add_twist(const Vector6& W) noexcept { bracket_.add_twist(W); }
+
+  const Bracket& bracket() const noexcept { return bracket_; }
+  const Polish& polish() const noexcept { return polish_; }
+  const Effort& effort() const noexcept { return effort_; }
+
+ private:
+  bool closed() const noexcept { return bracket_.width() <= settings_.relative_width; }
+  bool cannot() const noexcept;
+  bool try_warm() noexcept;
+  void bracket_polish() noexcept;
+  void bracket_interior() noexcept;
+
+  const ScaledGrasp* grasp_;
+  GripSettings settings_;
+  GripProblem problem_{};
+  InteriorPoint interior_;
+  Polish polish_;
+  Bracket bracket_;
+  Effort effort_;
+  std::vector<PartForce> forces_;
+  bool polished_ = false;  // the states are those of a solution
+};
+
+}  // namespace patchgrip::grasp

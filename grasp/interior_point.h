@@ -1,0 +1,123 @@
+// Primal-dual interior point for the problems of grip_problem.h, every cone an ellipsoid over its limit surface.
+//
+// The homogeneous self-dual embedding of  min c x : A x = b tau, x in K,  with Nesterov-Todd scaling and Mehrotra's
+// predictor and corrector. Each contact is eliminated on its own: with H of lorentz.h
+//
+//     A H A^T = eta^2 (2 (A w)(A w)^T - A J A^T),     A J A^T constant of the contact,
+//
+// and its cap F_i + slack_i = c_i s is a pivot D_i of size one, so what is left of the Newton system is 6 x 6 in the
+// twist, with a border of one for s or lambda: the work is linear in the number of contacts.
+//
+// Exact patches: the ellipsoid is renewed on the way to the one that has value, gradient and Hessian of D at the present
+// slip (element.h). Where it settles the optimum is that of the exact cone; polish.h and bracket.h do not rely on it.
+//
+// Status   optimal, or infeasible (max_force, total_force: the twist is a ray with all rho_i <= 0), to the tolerance; or
+//          stalled: normal equations give about 1e-9 and no more. The iterates stay valid, and run() goes on from them.
+// Memory   allocated by the constructor; nothing after.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include <patchgrip/grasp/grip_problem.h>
+#include <patchgrip/grasp/lorentz.h>
+
+namespace patchgrip::grasp {
+
+class InteriorPoint {
+ public:
+  enum class Status { optimal, infeasible, stalled };
+
+  explicit InteriorPoint(const ScaledGrasp& grasp);
+
+  // Afresh; `problem` must be of the same grasp.
+  void start(const GripProblem& problem) noexcept;
+  Status run(double tolerance, int max_iterations) noexcept;
+
+  // Moves the forces into balance, in the metric of the present scaling. run() goes on from where they were.
+  bool balance() noexcept;
+
+  int iterations() const noexcept { return iterations_; }
+  double gap() const noexcept { return gap_; }
+
+  // The present point. `u` is the multiplier of the cap, near c_i s - F_i complementary; z = (rho^-, ...) of the cone.
+  Vector6 twist() const noexcept;
+  double value() const noexcept;  // s or lambda
+  struct PartPoint {
+    double force;
+    Vector3 friction;
+    double x_least, x_most, z_least, z_most;  // eigenvalues of x and z, scaled alike
+  };
+  PartPoint part(std::size_t index) const noexcept;
+  struct CapPoint {
+    double slack, multiplier;
+  };
+  CapPoint cap(std::size_t contact) const noexcept;
+
+ private:
+  template <int d>
+  struct Block {
+    using V = lorentz::Vector<d>;
+    Eigen::Matrix<double, 6, d> A;
+    Matrix6 AJA;
+    lorentz::Scaling<d> scaling;
+    V x, z, rd, rx, dx, dz, px, pz;
+    Vector6 Aw;
+    std::size_t contact = 0;
+    double cost = 0;
+
+    void set_columns();
+  };
+  struct Cone : Block<4> {
+    Matrix3 L;  // t = mu F L s, |s| <= 1
+  };
+  struct Cap {
+    double slack, u;  // slack of F_i <= c_i s, multiplier
+    double c, c0;     // F + slack = c s + c0 tau
+    double h, D, q;   // slack / u, pivot, right-hand side
+    double rq, rc;    // residuals
+    double dv, dslack, pv, pslack;
+    Vector6 a;  // A H e_0
+  };
+  struct Step {
+    Vector6 y;
+    double border, dzs;  // of s or lambda; of the dual of s
+  };
+
+  template <class F>
+  void each(F&& f) {
+    for (Cone& b : cones_) f(static_cast<Block<4>&>(b));
+    if (elastic_used_) f(elastic_);
+  }
+
+  void set_cone(Cone& cone, const Element& element) noexcept;
+  void renew_ellipsoids() noexcept;
+  double residuals() noexcept;
+  bool factor() noexcept;
+  template <bool corrector>
+  Step solve(double eta, double rs) noexcept;
+  Step reduced(const Vector6& right, double corner) const noexcept;
+  double longest(const Step& step, double dtau, double dkappa) noexcept;
+  bool advance() noexcept;
+
+  const ScaledGrasp* grasp_;
+  std::vector<Cone> cones_;
+  std::vector<Cap> caps_;
+  Block<7> elastic_;
+  bool elastic_used_ = false, capped_ = false, factored_load_ = false, patches_ = false;
+  bool renewing_ = false, balanced_ = false;
+  int rank_ = 6;
+
+  Vector6 b_, w1_, y_, rp_;
+  double scale_ = 1, step_scale_ = 1;
+  double s_ = 1, zs_ = 1, tau_ = 1, kappa_ = 1, lambda_ = 0;
+  double rds_ = 0, rl_ = 0, rg_ = 0, mean_ = 1, gap_ = 1, ray_ = 1, du_ = 0, best_ = 1;
+  int iterations_ = 0, idle_ = 0;
+
+  Eigen::LLT<Matrix6> M_;
+  Vector6 equilibration_, border_, border_solved_;
+  double corner_ = 0, hs_ = 0;
+};
+
+}  // namespace patchgrip::grasp

@@ -1,0 +1,95 @@
+// Newton's method on the optimality conditions with the exact D, from a guess of which contacts slip, stick and open.
+//
+//     balance    w + sum F_i (N_i - mu T_i grad D_i(v_i)) + sum (F_i N_i + T_i t_i) = 0     (slipping, sticking)
+//     slipping   v_i = T_i^T W, t_i = -mu F_i grad D_i(v_i)
+//     sticking   T_i^T W = 0, g(t_i) <= mu F_i
+//     F_i        free: rho_i(W) = 0 (total_force: 1);  at its cap: F_i = c_i s, rho_i >= 0;  open: F_i = 0, rho_i <= 0
+//     and        sum c_i rho_i+ = 1 (max_force), w_1 . W = 1 (load_factor), M W = balance (distance)
+//
+// The matrix is symmetric, of size 6 (7) + one for each free force + the friction components that stick. Where forces
+// or twist are not unique it is singular but solvable: complete pivoting leaves what it does not determine as it was.
+// After convergence wrong signs change the guess, and it starts again.
+//
+// Nothing here is believed: bracket.h evaluates what comes out afresh.
+//
+// Domain   up to `capacity` unknowns: false beyond it. Memory: allocated by the constructor.
+#pragma once
+
+#include <Eigen/LU>
+#include <vector>
+
+#include <patchgrip/grasp/grip_problem.h>
+#include <patchgrip/grasp/interior_point.h>
+
+namespace patchgrip::grasp {
+
+enum class Slide { slips, sticks };
+
+struct PartState {
+  bool active = false;           // F > 0
+  Slide slide = Slide::sticks;   // of a part with friction
+  double force = 0;              // F
+  Vector3 friction = {0, 0, 0};  // t
+  Vector3 v = {0, 0, 0};         // slip that D was linearised at
+};
+
+class Polish {
+ public:
+  static constexpr int capacity = 72;
+
+  explicit Polish(const ScaledGrasp& grasp);
+
+  // The guess that the interior point suggests.
+  void identify(const GripProblem& problem, const InteriorPoint& point) noexcept;
+
+  // True if it converged with all signs right. W, value and states are what it came to in any case.
+  bool run(const GripProblem& problem, int max_rounds) noexcept;
+
+  const Vector6& twist() const noexcept { return W_; }
+  double value() const noexcept { return s_; }  // s, lambda
+  const std::vector<PartState>& parts() const noexcept { return parts_; }
+  bool is_capped(std::size_t contact) const noexcept { return capped_[contact] != 0; }
+
+  int steps() const noexcept { return steps_; }
+  int repairs() const noexcept { return repairs_; }
+
+  // The solution of a neighbouring problem as the guess.
+  void restart(const Vector6& twist, double value) noexcept;
+
+ private:
+  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, capacity, capacity>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, capacity, 1>;
+
+  struct Work {
+    Eigen::Index unknown = -1;  // column of F and, after it, of the friction that sticks
+    bool pinned = false;        // F follows from the cap
+    Vector6 g;                  // d wrench / d F
+    double rho = 0;
+  };
+  struct Change;
+
+  double cap(const GripProblem& problem, std::size_t contact) const noexcept;
+  bool assemble(const GripProblem& problem) noexcept;
+  void add_force(const GripProblem& problem, std::size_t index, const Vector6& pinned, bool capped) noexcept;
+  bool solve() noexcept;
+  void update(const GripProblem& problem) noexcept;
+  void pin_forces(const GripProblem& problem) noexcept;
+  double newton(const GripProblem& problem, int max_steps) noexcept;
+  bool repair(const GripProblem& problem, bool only_worst) noexcept;
+
+  const ScaledGrasp* grasp_;
+  std::vector<PartState> parts_;
+  std::vector<Work> work_;
+  std::vector<char> capped_;
+  std::vector<double> sum_;  // of forces per contact
+  Vector6 W_ = Vector6::Zero();
+  double s_ = 0;
+  int steps_ = 0, repairs_ = 0;
+
+  System K_, scaled_;
+  Column residual_, step_, scale_, right_;
+  Eigen::FullPivLU<System> lu_;
+  double change_ = 0;
+};
+
+}  // namespace patchgrip::grasp

@@ -1,0 +1,123 @@
+#include <patchgrip/grasp/scaled_grasp.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace patchgrip::grasp {
+namespace {
+
+constexpr double rank_tolerance = 1e-10;
+
+// Of all contacts about their centroid.
+struct Extent {
+  explicit Extent(const std::vector<Contact>& contacts) {
+    const double share = 1 / static_cast<double>(contacts.size());
+    for (const Contact& c : contacts) centroid += share * c.position();
+    double square = 0;
+    for (const Contact& c : contacts) {
+      square += share * (c.position() - centroid).squaredNorm();
+      patch = std::max(patch, c.cone().moment_length());
+    }
+    rms = std::sqrt(square);
+  }
+
+  Vector3 centroid = Vector3::Zero();
+  double rms;
+  double patch = 0;  // largest moment length
+};
+
+double power_of_two_near(double x) { return std::exp2(std::round(std::log2(x))); }
+
+std::vector<Element::Kind> kinds_of(const FrictionCone& cone) {
+  using Kind = Element::Kind;
+  if (!cone.has_friction()) return {Kind::normal};
+  switch (cone.model()) {
+    case FrictionCone::Model::point:
+      return {Kind::point};
+    case FrictionCone::Model::soft_elliptic:
+      return {Kind::ellipsoid};
+    case FrictionCone::Model::soft_linear:
+      return {Kind::point, Kind::spin};
+    case FrictionCone::Model::patch:
+      return {Kind::patch};
+    default:
+      return {Kind::normal};
+  }
+}
+
+}  // namespace
+
+ScaledGrasp::ScaledGrasp(const std::vector<Contact>& contacts, const std::optional<Vector3>& centre)
+    : contacts_(contacts.size()) {
+  if (contacts.empty()) throw std::invalid_argument("contacts = 0 is not allowed: a grasp has at least one contact");
+  const Extent extent(contacts);
+  const double far = extent.centroid.norm();
+  // A floor for contacts that all lie at one point.
+  const double size = std::max({extent.rms, extent.patch, 1e-9 * far});
+  length_ = size > 0 ? power_of_two_near(size) : 1;
+  if (centre) {
+    centre_ = *centre;
+  } else if (far > 4 * length_) {
+    centre_ = extent.centroid;
+  }
+  rounding_ *= 1 + far / length_;
+  parts_.reserve(2 * contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Vector3 position = (contacts[i].position() - centre_) / length_;
+    for (const Element::Kind kind : kinds_of(contacts[i].cone())) {
+      parts_.push_back({Element(kind, contacts[i], position, length_), i});
+    }
+  }
+  find_range();
+}
+
+// Singular values and vectors of all columns of G, friction moments in units of the moment length, by a QR
+// decomposition that takes contact by contact: squaring G would hide what is below 1e-8.
+void ScaledGrasp::find_range() {
+  using Stack = Eigen::Matrix<double, 10, 6>;
+  Stack stack = Stack::Zero();
+  for (const Part& part : parts_) {
+    Matrix64 columns = part.element.G();
+    columns.rightCols<3>() *= part.element.surrogate();
+    stack.bottomRows<4>() = columns.transpose();
+    const Eigen::HouseholderQR<Stack> qr(stack);
+    stack.setZero();
+    stack.topRows<6>() = qr.matrixQR().topRows<6>().triangularView<Eigen::Upper>();
+  }
+  const Eigen::JacobiSVD<Matrix6> svd(stack.topRows<6>(), Eigen::ComputeFullV);
+  const Vector6& values = svd.singularValues();
+  const double count = std::sqrt(static_cast<double>(parts_.size()));
+  rank_ = 0;
+  P_.setZero();
+  null_.setZero();
+  for (int j = 0; j < 6; ++j) {
+    const Vector6 direction = svd.matrixV().col(j);
+    if (values[j] > rank_tolerance * values[0]) {
+      P_.col(j) = direction * (count / values[j]);
+      ++rank_;
+    } else {
+      null_ += direction * direction.transpose();
+    }
+  }
+}
+
+Vector6 ScaledGrasp::scaled_load(const Vector6& load) const noexcept {
+  const Vector3 f = load.head<3>();
+  return spatial(f, (load.tail<3>() - centre_.cross(f)) / length_);
+}
+
+Vector6 ScaledGrasp::twist(const Vector6& scaled) const noexcept {
+  const Vector3 omega = scaled.tail<3>() / length_;
+  return spatial(scaled.head<3>() - omega.cross(centre_), omega);
+}
+
+Vector6 ScaledGrasp::scaled_twist(const Vector6& twist) const noexcept {
+  const Vector3 omega = twist.tail<3>();
+  return spatial(twist.head<3>() + omega.cross(centre_), omega * length_);
+}
+
+}  // namespace patchgrip::grasp
