@@ -79,8 +79,9 @@ void Bracket::add_twist(const Vector6& W) noexcept {
 
 bool Bracket::add_forces(std::span<const PartForce> forces, double value) noexcept {
   const ScaledGrasp& grasp = *problem_.grasp;
-  Vector6 balance = problem_.load;
-  if (maximises()) balance += value * problem_.step;
+  using Extended = Eigen::Matrix<long double, 6, 1>;
+  Extended sum = problem_.load.cast<long double>();
+  if (maximises()) sum += value * problem_.step.cast<long double>();
   double total = 0;
   std::ranges::fill(most_, 0);
   for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -92,15 +93,15 @@ bool Bracket::add_forces(std::span<const PartForce> forces, double value) noexce
       x.force = std::max(x.force, element.gauge(x.friction) / element.mu());
     }
     if (!(x.force >= 0)) return false;
-    if (element.kind() == Element::Kind::normal) {
-      balance.noalias() += element.N() * x.force;
-    } else {
-      balance.noalias() += element.N() * x.force + element.T() * x.friction;
+    sum += element.N().cast<long double>() * x.force;
+    if (element.kind() != Element::Kind::normal) {
+      for (int k = 0; k < 3; ++k) sum += element.T().col(k).cast<long double>() * x.friction[k];
     }
     total += x.force;
     most_[grasp.parts()[i].contact] += x.force;
   }
-  const double rounding = 8 * grasp.rounding() * total;
+  const Vector6 balance = sum.cast<double>();
+  const double rounding = 4 * grasp.rounding() * total;
   const double residual = balance.norm() + rounding;
   const double size = problem_.load.norm() + (maximises() ? std::fabs(value) * problem_.step.norm() : 0) + total;
   if (problem_.objective == Objective::distance) {
@@ -144,9 +145,12 @@ double Bracket::upper() const noexcept {
   return charge && upper_ < infinity ? upper_ + residual_ * steepest_ : upper_;
 }
 
-double Bracket::charged() const noexcept { return upper() < infinity ? residual_ * steepest_ / upper() : 0; }
+double Bracket::charged() const noexcept {
+  return upper_ > 0 && upper_ < infinity ? residual_ * steepest_ / upper() : 0;
+}
 
 double Bracket::width() const noexcept {
+  if (upper() == lower_) return 0;
   const double size = std::max(std::fabs(upper()), std::numeric_limits<double>::min());
   return upper() < infinity ? (upper() - lower_) / size : infinity;
 }

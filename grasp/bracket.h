@@ -7,7 +7,7 @@
 // r, is charged by |r| max |W| / sum c_i rho_i+ over the twists seen. That is what carrying -r as well would cost to first
 // order: `charged` says how much of the bound it is, and where it is more than a thousandth nobody should rely on it.
 //
-// Units    those of the problem. Rounding: 8 units of the scaled data (scaled_grasp.h).
+// Units    those of the problem. Sums are extended: what is charged is the rounding of the scaled data (scaled_grasp.h).
 #pragma once
 
 #include <limits>

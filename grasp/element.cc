@@ -93,16 +93,29 @@ bool Element::derivatives(const Vector3& v, Derivatives& d) const noexcept {
   return true;
 }
 
+// In extended precision: what is left is the rounding of G itself, and of v on its way into D.
 BoundedValue Element::resistance(const Vector6& W, double rounding) const noexcept {
-  const double normal = -N().dot(W);
-  const double size = N().cwiseAbs().dot(W.cwiseAbs());
-  if (kind_ == Kind::normal) return {normal, 8 * rounding * size};
-  const Vector3 v = sliding(W);
-  const BoundedValue D = dissipation(v);
-  // What rounding of v does to D: |grad D| <= 1 in force and <= e in moment, up to the scaled length of the patch.
-  const Vector3 grown = T().cwiseAbs().transpose() * W.cwiseAbs();
-  const double moved = std::hypot(grown[0], grown[1]) + e_ * grown[2];
-  return {normal + mu_ * D.value, 8 * rounding * (size + mu_ * moved) + mu_ * D.error};
+  long double dots[4];
+  double sizes[4];
+  const Eigen::Index columns = kind_ == Kind::normal ? 1 : 4;
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    long double dot = 0, size = 0;
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      const long double term = static_cast<long double>(G_(i, j)) * W[i];
+      dot += term;
+      size += std::fabs(term);
+    }
+    dots[j] = dot;
+    sizes[j] = static_cast<double>(size);
+  }
+  const double normal = -static_cast<double>(dots[0]);
+  const double lost = 4 * rounding;
+  if (kind_ == Kind::normal) return {normal, lost * sizes[0]};
+  const BoundedValue D =
+      dissipation({static_cast<double>(dots[1]), static_cast<double>(dots[2]), static_cast<double>(dots[3])});
+  // |grad D| <= 1 in force and <= e in moment, up to the scaled length of the patch.
+  const double moved = kind_ == Kind::spin ? e_ * sizes[3] : std::hypot(sizes[1], sizes[2]) + e_ * sizes[3];
+  return {normal + mu_ * D.value, lost * (sizes[0] + mu_ * moved) + mu_ * D.error};
 }
 
 double Element::gauge(const Vector3& t) const noexcept {

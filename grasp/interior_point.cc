@@ -16,9 +16,18 @@ double largest(const V& v) {
 }  // namespace
 
 template <int d>
-void InteriorPoint::Block<d>::set_columns() {
-  AJA.noalias() = A.col(0) * A.col(0).transpose();
-  AJA.noalias() -= A.template rightCols<d - 1>() * A.template rightCols<d - 1>().transpose();
+double InteriorPoint::Block<d>::add_squares(Matrix6& M) noexcept {
+  const double w0 = scaling.w[0];
+  const Eigen::Matrix<double, d - 1, 1> w1 = scaling.w.template tail<d - 1>();
+  const double c = 1 + 2 * w1.squaredNorm();
+  const Vector6 q = A.template rightCols<d - 1>() * w1;
+  // (1 - c^-1/2) / |w_1|^2 = 2 (1 - c^-1/2) / (c - 1)
+  const double root = std::sqrt(c);
+  const double share = 2 / (root * (1 + root));
+  const Eigen::Matrix<double, 6, d - 1> B = A.template rightCols<d - 1>() - (share * q) * w1.transpose();
+  M.noalias() += scaling.eta2 * B.lazyProduct(B.transpose());
+  a = scaling.eta2 * (c * A.col(0) + 2 * w0 * q);
+  return scaling.eta2 * c;
 }
 
 InteriorPoint::InteriorPoint(const ScaledGrasp& grasp)
@@ -34,7 +43,6 @@ void InteriorPoint::set_cone(Cone& cone, const Element& element) noexcept {
   } else {
     cone.A.noalias() = grasp_->to_range().transpose() * columns;
   }
-  cone.set_columns();
 }
 
 void InteriorPoint::start(const GripProblem& problem) noexcept {
@@ -67,7 +75,6 @@ void InteriorPoint::start(const GripProblem& problem) noexcept {
     elastic_.A.setZero();
     elastic_.A.rightCols<6>().diagonal() << 1, 1, 1, 1 / problem.metric, 1 / problem.metric, 1 / problem.metric;
     elastic_.cost = 1;
-    elastic_.set_columns();
   }
   each([](auto& b) {
     b.x.setZero();
@@ -184,31 +191,50 @@ double InteriorPoint::residuals() noexcept {
   return std::max({primal / (1 + size / tau_), dual, std::fabs(cost - du_) / (tau_ + size)});
 }
 
+bool InteriorPoint::factor_matrix(const Matrix6& M) noexcept {
+  equilibration_ = M.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
+  for (int j = rank_; j < 6; ++j) equilibration_[j] = 1;
+  Matrix6 scaled = equilibration_.asDiagonal() * M * equilibration_.asDiagonal();
+  for (int j = rank_; j < 6; ++j) scaled(j, j) = 1;
+  M_.compute(scaled);
+  return M_.info() == Eigen::Success;
+}
+
+Vector6 InteriorPoint::solve_matrix(const Vector6& right) const noexcept {
+  return equilibration_.cwiseProduct(M_.solve(equilibration_.cwiseProduct(right)));
+}
+
+// Two parts of one contact share its cap: what they add is the square of their difference, and of their sum under it.
 bool InteriorPoint::factor() noexcept {
   Matrix6 M = Matrix6::Zero();
-  for (Cap& cap : caps_) {
-    cap.h = cap.D = cap.slack / cap.u;
-    cap.a.setZero();
-  }
+  for (Cap& cap : caps_) cap.parts = 0;
   each([&](auto& b) {
     b.scaling.set(b.x, b.z);
-    const double eta2 = b.scaling.eta2;
-    b.Aw.noalias() = b.A * b.scaling.w;
-    M.noalias() += (2 * eta2 * b.Aw) * b.Aw.transpose();
-    M.noalias() -= eta2 * b.AJA;
-    if (capped_) {
-      Cap& cap = caps_[b.contact];
-      const double w0 = b.scaling.w[0];
-      cap.D += eta2 * (2 * w0 * w0 - 1);
-      cap.a.noalias() += eta2 * (2 * w0 * b.Aw - b.A.col(0));
+    const double pivot = b.add_squares(M);
+    if (!capped_) {
+      M.noalias() += b.a * (b.a / pivot).transpose();
+      return;
     }
+    Cap& cap = caps_[b.contact];
+    if (cap.parts++ == 0) {
+      cap.pivot = pivot;
+      cap.a = b.a;
+      return;
+    }
+    // a_1 a_1^T / p_1 + a_2 a_2^T / p_2 - (a_1 + a_2)(a_1 + a_2)^T / (p_1 + p_2)
+    const Vector6 difference = b.a / pivot - cap.a / cap.pivot;
+    M.noalias() += difference * (pivot * cap.pivot / (pivot + cap.pivot) * difference).transpose();
+    cap.pivot += pivot;
+    cap.a += b.a;
   });
   border_.setZero();
   corner_ = 0;
   if (capped_) {
-    for (const Cap& cap : caps_) {
+    for (Cap& cap : caps_) {
+      cap.h = cap.slack / cap.u;
+      cap.D = cap.h + cap.pivot;
       const Vector6 a = cap.a / cap.D;
-      M.noalias() -= a * cap.a.transpose();
+      M.noalias() += a * (cap.h / cap.pivot * cap.a).transpose();
       border_ += cap.c * a;
       corner_ += cap.c * cap.c / cap.D;
     }
@@ -219,18 +245,15 @@ bool InteriorPoint::factor() noexcept {
     hs_ = s_ / zs_;
     corner_ += 1 / hs_;
   }
-  for (int j = rank_; j < 6; ++j) M(j, j) = 1;
-  equilibration_ = M.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-  M_.compute(equilibration_.asDiagonal() * M * equilibration_.asDiagonal());
-  if (M_.info() != Eigen::Success) return false;
-  border_solved_ = equilibration_.cwiseProduct(M_.solve(equilibration_.cwiseProduct(border_)));
+  if (!factor_matrix(M)) return false;
+  border_solved_ = solve_matrix(border_);
   return true;
 }
 
 // [M p; p^T -d] (dy, border) = (right, -corner).
 InteriorPoint::Step InteriorPoint::reduced(const Vector6& right, double corner) const noexcept {
   Step step;
-  step.y = equilibration_.cwiseProduct(M_.solve(equilibration_.cwiseProduct(right)));
+  step.y = solve_matrix(right);
   step.border = 0;
   if (capped_) {
     step.border = (border_.dot(step.y) + corner) / (border_.dot(border_solved_) + corner_);
@@ -414,19 +437,16 @@ bool InteriorPoint::balance() noexcept {
   if (elastic_used_) return true;
   Matrix6 M = Matrix6::Zero();
   each([&](auto& b) {
-    b.Aw.noalias() = b.A * b.scaling.w;
-    M.noalias() += (2 * b.scaling.eta2 * b.Aw) * b.Aw.transpose() - b.scaling.eta2 * b.AJA;
+    const double pivot = b.add_squares(M);
+    M.noalias() += b.a * (b.a / pivot).transpose();
   });
-  for (int j = rank_; j < 6; ++j) M(j, j) = 1;
-  const Vector6 scale = M.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-  M_.compute(scale.asDiagonal() * M * scale.asDiagonal());
-  if (M_.info() != Eigen::Success) return false;
+  if (!factor_matrix(M)) return false;
   each([](auto& b) { b.px = b.x; });
   balanced_ = true;
   for (int pass = 0; pass < 3; ++pass) {
     Vector6 r = b_ * tau_ - w1_ * lambda_;
     each([&](auto& b) { r.noalias() -= b.A * b.x; });
-    const Vector6 u = scale.cwiseProduct(M_.solve(scale.cwiseProduct(r)));
+    const Vector6 u = solve_matrix(r);
     each([&]<int d>(Block<d>& b) { b.x += b.scaling.H(lorentz::Vector<d>(b.A.transpose() * u)); });
   }
   return true;

@@ -3,10 +3,13 @@
 // The homogeneous self-dual embedding of  min c x : A x = b tau, x in K,  with Nesterov-Todd scaling and Mehrotra's
 // predictor and corrector. Each contact is eliminated on its own: with H of lorentz.h
 //
-//     A H A^T = eta^2 (2 (A w)(A w)^T - A J A^T),     A J A^T constant of the contact,
+// and A = (A_0, A_1) split like w = (w_0, w_1), c = 2 w_0^2 - 1, the cap F_i + slack_i = c_i s is a pivot D = eta^2 c + h,
+// h = slack / multiplier, and what the contact adds to the 6 x 6 matrix of the twist is a sum of squares,
 //
-// and its cap F_i + slack_i = c_i s is a pivot D_i of size one, so what is left of the Newton system is 6 x 6 in the
-// twist, with a border of one for s or lambda: the work is linear in the number of contacts.
+//     eta^2 B B^T + h / (eta^2 c D) a a^T,    B = A_1 (1 - (1 - c^-1/2) w_1 w_1^T / |w_1|^2),   a = eta^2 (c A_0 + 2 w_0 A_1 w_1)
+//
+// which loses no digits where contacts slip (c >> 1), as A H A^T = eta^2 (2 (A w)(A w)^T - A J A^T) would. One border for
+// s or lambda is left: the work is linear in the number of contacts.
 //
 // Exact patches: the ellipsoid is renewed on the way to the one that has value, gradient and Hessian of D at the present
 // slip (element.h). Where it settles the optimum is that of the exact cone; polish.h and bracket.h do not rely on it.
@@ -60,14 +63,14 @@ class InteriorPoint {
   struct Block {
     using V = lorentz::Vector<d>;
     Eigen::Matrix<double, 6, d> A;
-    Matrix6 AJA;
     lorentz::Scaling<d> scaling;
     V x, z, rd, rx, dx, dz, px, pz;
-    Vector6 Aw;
+    Vector6 a;  // A H e_0
     std::size_t contact = 0;
     double cost = 0;
 
-    void set_columns();
+    // Adds B B^T of the present scaling to M; sets a and returns eta^2 c.
+    double add_squares(Matrix6& M) noexcept;
   };
   struct Cone : Block<4> {
     Matrix3 L;  // t = mu F L s, |s| <= 1
@@ -77,6 +80,8 @@ class InteriorPoint {
     double c, c0;     // F + slack = c s + c0 tau
     double h, D, q;   // slack / u, pivot, right-hand side
     double rq, rc;    // residuals
+    double pivot;     // sum of eta^2 c of its parts
+    int parts;
     double dv, dslack, pv, pslack;
     Vector6 a;  // A H e_0
   };
@@ -95,6 +100,8 @@ class InteriorPoint {
   void renew_ellipsoids() noexcept;
   double residuals() noexcept;
   bool factor() noexcept;
+  bool factor_matrix(const Matrix6& M) noexcept;
+  Vector6 solve_matrix(const Vector6& right) const noexcept;
   template <bool corrector>
   Step solve(double eta, double rs) noexcept;
   Step reduced(const Vector6& right, double corner) const noexcept;

@@ -10,8 +10,9 @@ namespace patchgrip::grasp {
 namespace {
 
 void show(const json& c, const GripAnswer& a, double value) {
-  std::printf("%s %-20s nt %3d newton %2d rep %d route %d verdict %d err %.1e width %.1e charged %.1e value %.16g\n", c["id"].get<std::string>().c_str(),
-              c["grasp"].get<std::string>().c_str(), a.effort.iterations, a.effort.newton_steps, a.effort.repairs, (int)a.effort.route, (int)a.verdict,
+  std::printf("%s %-20s nt %3d newton %2d rep %d route %d verdict %d err %.1e width %.1e charged %.1e value %.16g\n",
+              c["id"].get<std::string>().c_str(), c["grasp"].get<std::string>().c_str(), a.effort.iterations,
+              a.effort.newton_steps, a.effort.repairs, (int)a.effort.route, (int)a.verdict,
               std::fabs(a.value / value - 1), (a.upper - a.lower) / a.upper, a.charged, a.value);
 }
 
