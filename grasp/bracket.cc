@@ -116,7 +116,7 @@ bool Bracket::add_forces(std::span<const PartForce> forces, double value) noexce
     }
     return true;
   }
-  if (!(residual <= 1e-7 * size)) return false;
+  if (!(residual <= 1e-12 * size)) return false;
   double bound = 0;
   if (problem_.objective == Objective::total_force) {
     bound = total;

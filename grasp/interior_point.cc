@@ -16,7 +16,7 @@ double largest(const V& v) {
 }  // namespace
 
 template <int d>
-double InteriorPoint::Block<d>::add_squares(Matrix6& M) noexcept {
+void InteriorPoint::Block<d>::set_squares() noexcept {
   const double w0 = scaling.w[0];
   const Eigen::Matrix<double, d - 1, 1> w1 = scaling.w.template tail<d - 1>();
   const double c = 1 + 2 * w1.squaredNorm();
@@ -24,10 +24,9 @@ double InteriorPoint::Block<d>::add_squares(Matrix6& M) noexcept {
   // (1 - c^-1/2) / |w_1|^2 = 2 (1 - c^-1/2) / (c - 1)
   const double root = std::sqrt(c);
   const double share = 2 / (root * (1 + root));
-  const Eigen::Matrix<double, 6, d - 1> B = A.template rightCols<d - 1>() - (share * q) * w1.transpose();
-  M.noalias() += scaling.eta2 * B.lazyProduct(B.transpose());
+  B = std::sqrt(scaling.eta2) * (A.template rightCols<d - 1>() - (share * q) * w1.transpose());
   a = scaling.eta2 * (c * A.col(0) + 2 * w0 * q);
-  return scaling.eta2 * c;
+  pivot = scaling.eta2 * c;
 }
 
 InteriorPoint::InteriorPoint(const ScaledGrasp& grasp)
@@ -191,40 +190,23 @@ double InteriorPoint::residuals() noexcept {
   return std::max({primal / (1 + size / tau_), dual, std::fabs(cost - du_) / (tau_ + size)});
 }
 
-bool InteriorPoint::factor_matrix(const Matrix6& M) noexcept {
-  equilibration_ = M.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-  for (int j = rank_; j < 6; ++j) equilibration_[j] = 1;
-  Matrix6 scaled = equilibration_.asDiagonal() * M * equilibration_.asDiagonal();
-  for (int j = rank_; j < 6; ++j) scaled(j, j) = 1;
-  M_.compute(scaled);
-  return M_.info() == Eigen::Success;
-}
-
-Vector6 InteriorPoint::solve_matrix(const Vector6& right) const noexcept {
-  return equilibration_.cwiseProduct(M_.solve(equilibration_.cwiseProduct(right)));
-}
-
-// Two parts of one contact share its cap: what they add is the square of their difference, and of their sum under it.
+// Two parts of one contact share its cap: what they add is the square of their difference, and of their sum under it,
+//
+//     a_1 a_1^T / p_1 + a_2 a_2^T / p_2 = (a_1 + a_2)(a_1 + a_2)^T / (p_1 + p_2) + d d^T p_1 p_2 / (p_1 + p_2)
 bool InteriorPoint::factor() noexcept {
-  Matrix6 M = Matrix6::Zero();
   for (Cap& cap : caps_) cap.parts = 0;
   each([&](auto& b) {
     b.scaling.set(b.x, b.z);
-    const double pivot = b.add_squares(M);
-    if (!capped_) {
-      M.noalias() += b.a * (b.a / pivot).transpose();
-      return;
-    }
+    b.set_squares();
+    if (!capped_) return;
     Cap& cap = caps_[b.contact];
     if (cap.parts++ == 0) {
-      cap.pivot = pivot;
+      cap.pivot = b.pivot;
       cap.a = b.a;
       return;
     }
-    // a_1 a_1^T / p_1 + a_2 a_2^T / p_2 - (a_1 + a_2)(a_1 + a_2)^T / (p_1 + p_2)
-    const Vector6 difference = b.a / pivot - cap.a / cap.pivot;
-    M.noalias() += difference * (pivot * cap.pivot / (pivot + cap.pivot) * difference).transpose();
-    cap.pivot += pivot;
+    cap.difference = std::sqrt(b.pivot * cap.pivot / (b.pivot + cap.pivot)) * (b.a / b.pivot - cap.a / cap.pivot);
+    cap.pivot += b.pivot;
     cap.a += b.a;
   });
   border_.setZero();
@@ -233,9 +215,7 @@ bool InteriorPoint::factor() noexcept {
     for (Cap& cap : caps_) {
       cap.h = cap.slack / cap.u;
       cap.D = cap.h + cap.pivot;
-      const Vector6 a = cap.a / cap.D;
-      M.noalias() += a * (cap.h / cap.pivot * cap.a).transpose();
-      border_ += cap.c * a;
+      border_ += (cap.c / cap.D) * cap.a;
       corner_ += cap.c * cap.c / cap.D;
     }
   }
@@ -245,15 +225,26 @@ bool InteriorPoint::factor() noexcept {
     hs_ = s_ / zs_;
     corner_ += 1 / hs_;
   }
-  if (!factor_matrix(M)) return false;
-  border_solved_ = solve_matrix(border_);
+  const auto emit = [&](const auto& sink) {
+    each([&](const auto& b) {
+      sink(b.B);
+      if (!capped_) sink(Vector6(b.a / std::sqrt(b.pivot)));
+    });
+    if (!capped_) return;
+    for (const Cap& cap : caps_) {
+      sink(Vector6(std::sqrt(cap.h / (cap.pivot * cap.D)) * cap.a));
+      if (cap.parts == 2) sink(cap.difference);
+    }
+  };
+  if (!M_.factor(emit, rank_)) return false;
+  border_solved_ = M_.solve(border_);
   return true;
 }
 
 // [M p; p^T -d] (dy, border) = (right, -corner).
 InteriorPoint::Step InteriorPoint::reduced(const Vector6& right, double corner) const noexcept {
   Step step;
-  step.y = solve_matrix(right);
+  step.y = M_.solve(right);
   step.border = 0;
   if (capped_) {
     step.border = (border_.dot(step.y) + corner) / (border_.dot(border_solved_) + corner_);
@@ -435,18 +426,21 @@ bool InteriorPoint::advance() noexcept {
 
 bool InteriorPoint::balance() noexcept {
   if (elastic_used_) return true;
-  Matrix6 M = Matrix6::Zero();
-  each([&](auto& b) {
-    const double pivot = b.add_squares(M);
-    M.noalias() += b.a * (b.a / pivot).transpose();
-  });
-  if (!factor_matrix(M)) return false;
+  const auto emit = [&](const auto& sink) {
+    each([&](auto& b) {
+      b.scaling.set(b.x, b.z);
+      b.set_squares();
+      sink(b.B);
+      sink(Vector6(b.a / std::sqrt(b.pivot)));
+    });
+  };
+  if (!M_.factor(emit, rank_)) return false;
   each([](auto& b) { b.px = b.x; });
   balanced_ = true;
   for (int pass = 0; pass < 3; ++pass) {
     Vector6 r = b_ * tau_ - w1_ * lambda_;
     each([&](auto& b) { r.noalias() -= b.A * b.x; });
-    const Vector6 u = solve_matrix(r);
+    const Vector6 u = M_.solve(r);
     each([&]<int d>(Block<d>& b) { b.x += b.scaling.H(lorentz::Vector<d>(b.A.transpose() * u)); });
   }
   return true;
@@ -466,8 +460,10 @@ InteriorPoint::PartPoint InteriorPoint::part(std::size_t index) const noexcept {
   const double k = scale_ / tau_;
   const double x = cone.x.tail<3>().norm(), z = cone.z.tail<3>().norm();
   const double mu = grasp_->parts()[index].element.mu();
-  return {k * cone.x[0], k * mu * (cone.L * cone.x.tail<3>()), cone.x[0] - x, cone.x[0] + x, cone.z[0] - z,
-          cone.z[0] + z};
+  const double slip = mu > 0 && y_.norm() > 0 ? z / (mu * tau_ * twist().norm()) : 0;
+  return {
+      k * cone.x[0], k * mu * (cone.L * cone.x.tail<3>()), cone.x[0] - x, cone.x[0] + x, cone.z[0] - z, cone.z[0] + z,
+      slip};
 }
 
 InteriorPoint::CapPoint InteriorPoint::cap(std::size_t contact) const noexcept {

@@ -21,10 +21,9 @@
 
 #include <vector>
 
-#include <Eigen/Cholesky>
-
 #include <patchgrip/grasp/grip_problem.h>
 #include <patchgrip/grasp/lorentz.h>
+#include <patchgrip/grasp/square_sum.h>
 
 namespace patchgrip::grasp {
 
@@ -51,6 +50,7 @@ class InteriorPoint {
     double force;
     Vector3 friction;
     double x_least, x_most, z_least, z_most;  // eigenvalues of x and z, scaled alike
+    double slip;                              // |L^T v| / |W|
   };
   PartPoint part(std::size_t index) const noexcept;
   struct CapPoint {
@@ -69,8 +69,11 @@ class InteriorPoint {
     std::size_t contact = 0;
     double cost = 0;
 
-    // Adds B B^T of the present scaling to M; sets a and returns eta^2 c.
-    double add_squares(Matrix6& M) noexcept;
+    Eigen::Matrix<double, 6, d - 1> B;
+    double pivot;  // eta^2 c
+
+    // B, a and the pivot of the present scaling.
+    void set_squares() noexcept;
   };
   struct Cone : Block<4> {
     Matrix3 L;  // t = mu F L s, |s| <= 1
@@ -83,7 +86,8 @@ class InteriorPoint {
     double pivot;     // sum of eta^2 c of its parts
     int parts;
     double dv, dslack, pv, pslack;
-    Vector6 a;  // A H e_0
+    Vector6 a;           // sum of A H e_0
+    Vector6 difference;  // of two parts
   };
   struct Step {
     Vector6 y;
@@ -100,8 +104,6 @@ class InteriorPoint {
   void renew_ellipsoids() noexcept;
   double residuals() noexcept;
   bool factor() noexcept;
-  bool factor_matrix(const Matrix6& M) noexcept;
-  Vector6 solve_matrix(const Vector6& right) const noexcept;
   template <bool corrector>
   Step solve(double eta, double rs) noexcept;
   Step reduced(const Vector6& right, double corner) const noexcept;
@@ -122,8 +124,8 @@ class InteriorPoint {
   double rds_ = 0, rl_ = 0, rg_ = 0, mean_ = 1, gap_ = 1, ray_ = 1, du_ = 0, best_ = 1;
   int iterations_ = 0, idle_ = 0;
 
-  Eigen::LLT<Matrix6> M_;
-  Vector6 equilibration_, border_, border_solved_;
+  SquareSum M_;
+  Vector6 border_, border_solved_;
   double corner_ = 0, hs_ = 0;
 };
 

@@ -35,7 +35,7 @@ void Polish::identify(const GripProblem& problem, const InteriorPoint& point) no
     PartState& state = parts_[i];
     const Element& element = grasp_->parts()[i].element;
     state.active = signed_ratio(p.x_most / x, p.z_least / z) > 0.5;
-    const bool inside = signed_ratio(p.x_least / x, p.z_most / z) > 0.5;
+    const bool inside = signed_ratio(p.x_least / p.x_most, p.slip) > 0.5;
     state.slide = inside ? Slide::sticks : Slide::slips;
     state.force = p.force;
     state.friction = p.friction;
@@ -185,7 +185,7 @@ bool Polish::solve() noexcept {
 // Takes the step; change_ becomes its relative size.
 void Polish::update(const GripProblem& problem) noexcept {
   double force_change = 0, force_size = 0;
-  const double before = s_;
+  const double before = s_, size_before = W_.norm();
   W_ += step_.head<6>();
   if (problem.limited()) s_ += step_[6];
   if (problem.objective == Objective::max_force) {
@@ -216,16 +216,18 @@ void Polish::update(const GripProblem& problem) noexcept {
     const bool reversed = element.gradient(state.v).dot(v) <= 0;
     state.v = reversed ? Vector3(0.1 * state.v) : v;
   }
-  change_ = std::max(step_.head<6>().norm() / W_.norm(), force_change / (force_size > 0 ? force_size : 1));
+  change_ = std::max(step_.head<6>().norm() / std::min(size_before, W_.norm()),
+                     force_change / (force_size > 0 ? force_size : 1));
 }
 
 // Relative size of the last step.
 double Polish::newton(const GripProblem& problem, int max_steps) noexcept {
   double before = 1;
   for (int k = 0; k < max_steps; ++k) {
-    if (!assemble(problem) || !solve()) return 1;
+    if (!assemble(problem) || !solve()) return std::numeric_limits<double>::infinity();
     update(problem);
     ++steps_;
+    if (!(change_ < 10)) return change_;
     if (change_ < 4e-16 || (change_ < 1e-10 && change_ > 0.3 * before)) break;
     before = change_;
   }
@@ -321,7 +323,7 @@ bool Polish::repair(const GripProblem& problem, bool only_worst) noexcept {
 bool Polish::run(const GripProblem& problem, int max_rounds) noexcept {
   for (int round = 0; round < max_rounds; ++round) {
     const double change = newton(problem, 8);
-    if (!(change < 1)) return false;
+    if (!(change < 10)) return false;
     const bool repaired = repair(problem, round > 3);
     if (!repaired && change < 1e-8) return true;
   }
