@@ -20,7 +20,10 @@ Element::Element(Kind kind, const Contact& contact, const Vector3& position, dou
       e_(contact.cone().moment_length() / length),
       inverse_length_(1 / length) {
   if (kind == Kind::patch) surface_ = &contact.cone().surface();
-  const auto column = [&](const Vector3& a) { return spatial(a, position.cross(a)); };
+  const auto column = [&](const Vector3& a) {
+    const auto r = position.cast<long double>();
+    return spatial(a, r.cross(a.cast<long double>()).cast<double>());
+  };
   G_.col(0) = column(-contact.normal());
   G_.col(1) = column(contact.u());
   G_.col(2) = column(contact.v());
@@ -109,7 +112,7 @@ BoundedValue Element::resistance(const Vector6& W, double rounding) const noexce
     sizes[j] = static_cast<double>(size);
   }
   const double normal = -static_cast<double>(dots[0]);
-  const double lost = 4 * rounding;
+  const double lost = 1.5 * rounding;
   if (kind_ == Kind::normal) return {normal, lost * sizes[0]};
   const BoundedValue D =
       dissipation({static_cast<double>(dots[1]), static_cast<double>(dots[2]), static_cast<double>(dots[3])});

@@ -46,7 +46,8 @@ void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
     if (status == InteriorPoint::Status::infeasible) {
       bracket_.add_twist(interior_.twist());
       effort_.route = Route::ray;
-      return;
+      if (cannot()) return;
+      continue;
     }
     polish_.identify(problem, interior_);
     polished_ = polish_.run(problem, settings_.max_repairs);

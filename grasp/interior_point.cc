@@ -91,8 +91,7 @@ void InteriorPoint::start(const GripProblem& problem) noexcept {
   s_ = zs_ = tau_ = kappa_ = 1;
   lambda_ = 0;
   iterations_ = idle_ = 0;
-  gap_ = best_ = 1;
-  renewing_ = patches_;
+  gap_ = ray_ = 1;
   balanced_ = false;
 }
 
@@ -121,8 +120,12 @@ void InteriorPoint::renew_ellipsoids() noexcept {
 InteriorPoint::Status InteriorPoint::run(double tolerance, int max_iterations) noexcept {
   if (balanced_) each([](auto& b) { b.x = b.px; });
   balanced_ = false;
+  renewing_ = patches_;
+  best_ = 1;
+  idle_ = 0;
   for (;; ++iterations_) {
-    if (renewing_ && gap_ < 0.1) renew_ellipsoids();
+    if (renewing_ && std::min(gap_, ray_) < 0.1) renew_ellipsoids();
+    if (gap_ < 1e-4) renewing_ = false;
     gap_ = residuals();
     if (gap_ < tolerance) return Status::optimal;
     if (ray_ < tolerance) return Status::infeasible;

@@ -12,7 +12,8 @@
 // s or lambda is left: the work is linear in the number of contacts.
 //
 // Exact patches: the ellipsoid is renewed on the way to the one that has value, gradient and Hessian of D at the present
-// slip (element.h). Where it settles the optimum is that of the exact cone; polish.h and bracket.h do not rely on it.
+// slip (element.h), until the gap is 1e-4: what is left is of second order in that. polish.h and bracket.h do not rely on
+// it.
 //
 // Status   optimal, or infeasible (max_force, total_force: the twist is a ray with all rho_i <= 0), to the tolerance; or
 //          stalled: normal equations give about 1e-9 and no more. The iterates stay valid, and run() goes on from them.

@@ -56,9 +56,10 @@ ScaledGrasp::ScaledGrasp(const std::vector<Contact>& contacts, const std::option
   if (contacts.empty()) throw std::invalid_argument("contacts = 0 is not allowed: a grasp has at least one contact");
   const Extent extent(contacts);
   const double far = extent.centroid.norm();
-  // A floor for contacts that all lie at one point.
-  const double size = std::max({extent.rms, extent.patch, 1e-9 * far});
-  length_ = size > 0 ? power_of_two_near(size) : 1;
+  const double size = std::max(extent.rms, extent.patch);
+  // Contacts that all lie at one point have no size of their own.
+  const double own = size > 1e-9 * far ? size : far;
+  length_ = own > 0 ? power_of_two_near(own) : 1;
   if (centre) {
     centre_ = *centre;
   } else if (far > 4 * length_) {

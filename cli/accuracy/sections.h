@@ -24,6 +24,9 @@ void compare_viscous(const TableNode& section, AccuracyReport& report);
 void compare_local_stribeck(const TableNode& section, AccuracyReport& report);
 void compare_example_4_8(const TableNode& example, AccuracyReport& report);
 
+// `cases` name the `grasps` that they are about.
+void compare_grasps(const TableNode& grasps, const TableNode& cases, AccuracyReport& report);
+
 // Fields of `object` that no comparison asked for.
 void name_unread(const TableObject& object, std::string_view section, AccuracyReport& report);
 

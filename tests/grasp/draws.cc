@@ -47,7 +47,7 @@ int run(int cases, unsigned seed, std::string_view only, bool verbose) {
     const GripAnswer& a = grasp.least_grip(g.load);
     Tally& t = tallies[kind];
     ++t.count;
-    const double width = (a.upper - a.lower) / a.upper;
+    const double width = a.upper > a.lower ? (a.upper - a.lower) / a.upper : 0;
     if (a.verdict == Verdict::holds) {
       t.narrow += width <= 1e-12;
       t.good += width <= 1e-9;

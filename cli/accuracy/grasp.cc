@@ -1,0 +1,285 @@
+// Sections grasps and cases: optima of grasp analysis; forces and escape twists where they are unique.
+//
+// Errors are relative to the value, to the largest force, and to the size of the twist with spins times the distance of
+// the farthest contact. A bracket wider than that of the answer's own claim is an error too: `bracket` is its width.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <patchgrip/cli/accuracy/sections.h>
+#include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/friction/flat_punch_disc.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
+#include <patchgrip/friction/rectangle.h>
+#include <patchgrip/friction/uniform_disc.h>
+#include <patchgrip/grasp/grasp.h>
+#include <patchgrip/grasp/inertial_load.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using grasp::Contact;
+using grasp::FrictionCone;
+using grasp::Grasp;
+using grasp::GripAnswer;
+using grasp::Vector3;
+using grasp::Vector6;
+using grasp::Verdict;
+
+constexpr std::string_view section = "cases";
+
+std::vector<Exact> all_numbers(const TableNode& list) { return list.numbers(list.items().size()); }
+
+// Planar vectors leave out z.
+Vector3 read_vector3(const TableNode& list, Inputs inputs) {
+  const auto x = all_numbers(list);
+  if (x.size() < 2 || x.size() > 3) list.fail("two or three numbers are expected");
+  return {as_double(x[0], inputs), as_double(x[1], inputs), x.size() == 3 ? as_double(x[2], inputs) : 0};
+}
+
+// Planar loads are (fx, fy, mz).
+Vector6 read_vector6(const TableNode& list, Inputs inputs) {
+  const auto x = all_numbers(list);
+  if (x.size() != 3 && x.size() != 6) list.fail("three or six numbers are expected");
+  Vector6 w = Vector6::Zero();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    w[static_cast<Eigen::Index>(x.size() == 3 && i == 2 ? 5 : i)] = as_double(x[i], inputs);
+  }
+  return w;
+}
+
+// Nothing where the library does not have the model.
+std::optional<FrictionCone> read_cone(TableObject& contact, Inputs inputs) {
+  using namespace friction;
+  const std::string model = contact["model"].text();
+  const auto value = [&](const char* name) { return as_double(contact[name].number(), inputs); };
+  if (model == "frictionless") return FrictionCone::frictionless();
+  if (model == "point") return FrictionCone::point(value("mu"));
+  if (model == "soft_elliptic") return FrictionCone::soft_elliptic(value("mu"), value("e_m"));
+  if (model == "soft_linear") return FrictionCone::soft_linear(value("mu"), value("e_m"));
+  if (model == "hertz_disc") return FrictionCone::patch(value("mu"), HertzDisc::of_radius(value("a")));
+  if (model == "uniform_disc") return FrictionCone::patch(value("mu"), UniformDisc::of_radius(value("a")));
+  if (model == "flat_punch_disc") return FrictionCone::patch(value("mu"), FlatPunchDisc::of_radius(value("a")));
+  if (model == "hertz_ellipse") {
+    return FrictionCone::patch(value("mu"), HertzEllipse::of_semi_axes(value("a"), value("b")));
+  }
+  if (model == "uniform_rectangle") {
+    return FrictionCone::patch(value("mu"), Rectangle::of_sides(value("l_u"), value("l_v")));
+  }
+  return std::nullopt;
+}
+
+// Empty where a model is not covered.
+std::vector<Contact> read_contacts(const TableNode& list, Inputs inputs) {
+  std::vector<Contact> contacts;
+  for (const TableNode& node : list.filled()) {
+    TableObject contact(node);
+    const auto cone = read_cone(contact, inputs);
+    if (!cone) return {};
+    contacts.emplace_back(
+        grasp::ContactFrame{read_vector3(contact["position"], inputs), read_vector3(contact["normal_out"], inputs),
+                            read_vector3(contact["u"], inputs)},
+        *cone);
+  }
+  return contacts;
+}
+
+struct Case {
+  std::string problem;
+  TableObject fields;
+  TableObject result;
+  std::optional<TableNode> contacts;  // of its grasp
+  bool planar = false;
+};
+
+void add(AccuracyReport& report, const Case& c, std::string_view quantity, const Deviation& error) {
+  report.add({std::string(section), c.problem, std::string(quantity)}, error, c.fields.node().place());
+}
+
+Vector6 load_of(Case& c, const char* name, Inputs inputs) { return read_vector6(c.fields[name], inputs); }
+
+const GripAnswer& answer(Case& c, Grasp& g, Inputs inputs) {
+  if (c.problem == "min_max_normal") return g.least_grip(load_of(c, "load", inputs));
+  if (c.problem == "min_sum_normal") return g.least_total_grip(load_of(c, "load", inputs));
+  std::vector<double> limits;
+  for (const Exact& x : all_numbers(c.fields["caps"])) limits.push_back(as_double(x, inputs));
+  return g.load_factor(load_of(c, "load", inputs), load_of(c, "load_step", inputs), limits);
+}
+
+bool is_true(const TableNode& node) { return node.value().text == "true"; }
+
+// Where it is unique, the force of each contact and the twist.
+void compare_solution(Case& c, const GripAnswer& a, double reach, AccuracyReport& report) {
+  const auto unique_node = c.result.find("unique");
+  const auto forces = c.result.find("F_n");
+  const auto frictions = c.result.find("t");
+  const auto twist = c.result.find("escape_twist");
+  if (!unique_node) return;
+  TableObject unique(*unique_node);
+  if (forces && is_true(unique["F"])) {
+    const auto reference = forces->numbers(a.contacts.size());
+    double largest = 0, error = 0;
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+      largest = std::max(largest, static_cast<double>(abs(reference[i])));
+      error = std::max(error, static_cast<double>(abs(a.contacts[i].normal_force - reference[i])));
+    }
+    add(report, c, "unique normal forces", {error / largest, error / largest});
+    if (frictions && is_true(unique["t"])) {
+      error = 0;
+      const auto rows = frictions->items(a.contacts.size());
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto t = all_numbers(rows[i]);
+        for (std::size_t k = 0; k < t.size(); ++k) {
+          const double own = a.contacts[i].friction[static_cast<Eigen::Index>(k)];
+          error = std::max(error, static_cast<double>(abs(own - t[k])) / (k == 2 ? reach : 1));
+        }
+      }
+      add(report, c, "unique friction", {error / largest, error / largest});
+    }
+  }
+  if (twist && is_true(unique["twist"])) {
+    Vector6 W = a.escape_twist, reference = read_vector6(*twist, Inputs::rounded);
+    if (c.planar) W.segment<3>(2).setZero();
+    W.tail<3>() *= reach;
+    reference.tail<3>() *= reach;
+    const double error = (W - reference).norm() / reference.norm();
+    add(report, c, "unique escape twist", {error, error});
+  }
+}
+
+void compare_optimum(Case& c, AccuracyReport& report) {
+  const Exact reference = c.result["value"].number();
+  const Exact scale = reference == 0 ? Exact(1) : Exact(abs(reference));
+  const auto q = measure([&](Inputs inputs) {
+    Grasp g(read_contacts(*c.contacts, inputs));
+    return std::array{answer(c, g, inputs).value};
+  });
+  add(report, c, "value", deviation(q, 0, reference, scale));
+  Grasp g(read_contacts(*c.contacts, Inputs::rounded));
+  const GripAnswer& a = answer(c, g, Inputs::rounded);
+  const double width = (a.upper - a.lower) / static_cast<double>(scale);
+  add(report, c, "width of the bracket", {width, width});
+  const bool held = a.verdict == Verdict::holds;
+  if (const auto feasible = c.result.find("feasible")) {
+    add(report, c, "verdict", held == is_true(*feasible) ? Deviation{} : failed);
+  }
+  double reach = 0;
+  for (const Contact& k : g.contacts()) reach = std::max(reach, k.position().norm());
+  compare_solution(c, a, reach > 0 ? reach : 1, report);
+}
+
+void compare_worst_case(Case& c, AccuracyReport& report) {
+  const Exact reference = c.result["value"].positive();
+  const auto loads = c.fields["loads"].filled();
+  const auto each = c.result["values"].numbers(loads.size());
+  const auto index = static_cast<std::size_t>(c.result["worst_index"].number());
+  double worst = 0, error = 0;
+  Grasp g(read_contacts(*c.contacts, Inputs::rounded));
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const double value = g.least_grip(read_vector6(loads[i], Inputs::rounded)).value;
+    worst = std::max(worst, value);
+    error = std::max(error, static_cast<double>(abs(value - each[i]) / each[i]));
+  }
+  const double worst_error = static_cast<double>(abs(worst - reference) / reference);
+  add(report, c, "value", {worst_error, worst_error});
+  add(report, c, "value of each load", {error, error});
+  add(report, c, "worst load", index < each.size() && each[index] == reference ? Deviation{} : failed);
+}
+
+// The verdict that no limit on the forces lets it hold, and the distance of the load.
+void compare_verdict(Case& c, AccuracyReport& report) {
+  Grasp g(read_contacts(*c.contacts, Inputs::rounded));
+  const Verdict verdict = g.least_grip(load_of(c, "load", Inputs::rounded)).verdict;
+  const bool feasible = is_true(c.result["feasible"]);
+  const bool weakly = c.result.find("weakly").has_value();  // nothing but a limit on the forces decides
+  const bool right = feasible ? verdict == Verdict::holds : verdict == Verdict::cannot_hold || weakly;
+  add(report, c, "verdict", right && !(weakly && verdict == Verdict::holds) ? Deviation{} : failed);
+}
+
+void compare_closure(Case& c, AccuracyReport& report) {
+  Grasp g(read_contacts(*c.contacts, Inputs::rounded));
+  const bool closed = g.force_closure().verdict == Verdict::holds;
+  add(report, c, "verdict", closed == is_true(c.result["force_closure"]) ? Deviation{} : failed);
+  c.result.find("escape_twist");
+}
+
+void compare_inertial_load(Case& c, AccuracyReport& report) {
+  const auto reference = c.result["load"].numbers(6);
+  const auto q = measure([&](Inputs inputs) {
+    const auto vector = [&](const char* name) { return read_vector3(c.fields[name], inputs); };
+    const auto J = c.fields["J_xx_yy_zz_xy_xz_yz"].numbers(6);
+    const auto j = [&](std::size_t i) { return as_double(J[i], inputs); };
+    grasp::CarriedBody body{as_double(c.fields["mass"].number(), inputs), vector("r_S"), {}};
+    body.inertia << j(0), j(3), j(4), j(3), j(1), j(5), j(4), j(5), j(2);
+    const Vector6 w = grasp::inertial_load(body, vector("gravity"),
+                                           {vector("v"), vector("omega"), vector("v_dot"), vector("omega_dot")});
+    return std::array{w[0], w[1], w[2], w[3], w[4], w[5]};
+  });
+  Exact force = 0, moment = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    force = std::max<Exact>(force, abs(reference[i]));
+    moment = std::max<Exact>(moment, abs(reference[i + 3]));
+  }
+  const std::span all(reference);
+  add(report, c, "force", deviation(q, 0, all.first(3), force));
+  add(report, c, "moment", deviation(q, 3, all.last(3), moment == 0 ? Exact(1) : moment));
+}
+
+using Compare = void (*)(Case&, AccuracyReport&);
+
+Compare comparison_of(const std::string& problem) {
+  if (problem == "min_max_normal" || problem == "min_sum_normal" || problem == "load_factor") return compare_optimum;
+  if (problem == "worst_case_vertices") return compare_worst_case;
+  if (problem == "force_closure") return compare_closure;
+  if (problem == "inertial_load") return compare_inertial_load;
+  if (problem == "feasible") return compare_verdict;
+  return nullptr;
+}
+
+// The contacts of the grasp that a case names.
+std::optional<TableNode> find_contacts(const TableNode& grasps, const TableNode& id, bool& planar) {
+  if (id.value().kind == TableValue::Kind::null) return std::nullopt;
+  for (const TableNode& node : grasps.filled()) {
+    TableObject fields(node);
+    if (fields["id"].text() != id.text()) continue;
+    const auto space = fields.find("space");
+    planar = space && space->text() == "planar";
+    return fields["contacts"];
+  }
+  id.fail("no grasp has this id");
+}
+
+}  // namespace
+
+void compare_grasps(const TableNode& grasps, const TableNode& cases, AccuracyReport& report) {
+  for (const TableNode& node : cases.filled()) {
+    TableObject fields(node);
+    const std::string problem = fields["problem"].text();
+    const Compare compare = comparison_of(problem);
+    bool planar = false;
+    const auto contacts = find_contacts(grasps, fields["grasp"], planar);
+    const bool known_contacts = !contacts || !read_contacts(*contacts, Inputs::rounded).empty();
+    if (compare == nullptr || !known_contacts) {
+      report.not_covered(section, fmt::format("'{}'", printable(problem)));
+      continue;
+    }
+    Case c{problem, TableObject(node.named(fields["id"].text())), TableObject(fields["result"]), contacts, planar};
+    compare(c, report);
+    for (const std::string_view read : {"id", "grasp", "problem", "result", "route", "check", "length"}) {
+      c.fields.find(read);
+    }
+    for (const std::string_view read : {"feasible", "closed_form", "unique", "F_n", "t", "escape_twist"}) {
+      c.result.find(read);
+    }
+    name_unread(c.fields, section, report);
+    name_unread(c.result, section, report);
+  }
+}
+
+}  // namespace patchgrip::cli
