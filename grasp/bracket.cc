@@ -65,10 +65,10 @@ void Bracket::add_twist(const Vector6& W) noexcept {
       return;
     }
     default: {
-      const double resistance = std::max(problem_.objective == Objective::max_force ? sum : most, 1e-300);
+      const double resistance = std::max(problem_.objective == Objective::max_force ? sum : most, 1e-100);
       const double bound = (power - lost) / resistance;
       if (!(bound > 0)) return;
-      steepest_ = std::max(steepest_, std::min(size / resistance, 1e300));
+      steepest_ = std::max(steepest_, std::min(size / resistance, 1e100));
       if (bound > lower_) {
         lower_ = bound;
         twist_ = W / resistance;
