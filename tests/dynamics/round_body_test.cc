@@ -1,0 +1,153 @@
+// A body on a round patch: known motions, no creep, no energy from nowhere.
+#include <patchgrip/dynamics/round_body.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <patchgrip/dynamics/rigid_slide.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/limit_surface/round_gauge.h>
+#include <patchgrip/friction/uniform_disc.h>
+#include <patchgrip/tests/support/cases.h>
+
+namespace patchgrip::dynamics {
+namespace {
+
+using testing::cases;
+using testing::log_uniform;
+using testing::uniform;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const auto no_load = [](double) { return Vector3(Vector3::Zero()); };
+
+struct Stop {
+  double time, distance, turn;
+};
+
+// A puck of radius 0.05 m, 1 kg, J = m R^2 / 2, v = 1 m/s, w = 20 rad/s, mu = 0.5, g = 9.81 m/s^2: where it comes to
+// rest, and when, by the rigid slide from the last step that ends half a step or more before.
+template <class P>
+Stop puck(const P& disc, double k, double h, Method method) {
+  const double R = 0.05, L = 0.5 * 9.81;
+  const RoundBody body(disc, {1, R * R / 2, {k, k * R * R / 2}});
+  const RigidSlide rest(disc, 1, R * R / 2, friction::Law::coulomb(0.5), 9.81);
+  PlanarState s, last;
+  s.twist = {1, 0, 20};
+  double at = 0;
+  for (double t = 0; t < 0.4; t += h) {
+    const StepResult r = body.step(s, t, h, method, no_load, [&](double, const Vector3&) { return L; });
+    s = r.state;
+    if (!r.slips) break;
+    const double D = disc.dissipation({s.twist[0], s.twist[1], s.twist[2]});
+    if (2 * body.kinetic_energy(s) > h / 2 * L * D) last = s, at = t + h;
+  }
+  return {at + rest(last).time, s.place[0], s.place[2]};
+}
+
+TEST(RoundBody, APuckComesToRestWhereItIsKnownTo) {
+  const Stop u = puck(friction::UniformDisc::of_radius(0.05), 1e8, 2e-3, Method::sdirk2);
+  EXPECT_NEAR(u.time, .27325143366306, 1e-6);
+  EXPECT_NEAR(u.distance, .12994846567449, 1e-6);
+  EXPECT_NEAR(u.turn, 2.95243022942, 2e-5);
+  const Stop h = puck(friction::HertzDisc::of_radius(0.05), 1e8, 2e-3, Method::sdirk2);
+  EXPECT_NEAR(h.time, .28808448600715, 1e-6);
+  EXPECT_NEAR(h.distance, .12928855096844, 1e-6);
+  EXPECT_NEAR(h.turn, 3.27323081330, 2e-5);
+}
+
+TEST(RoundBody, ConvergesWithItsOrder) {
+  const auto disc = friction::UniformDisc::of_radius(0.05);
+  const auto place = [&](Method method, double h) {
+    const RoundBody body(disc, {1, 0.00125, {1e4, 12.5}});
+    // Sliding for long, the bristles bent.
+    PlanarState s;
+    s.twist = {1, 0, 20};
+    const friction::Wrench g = disc.gradient({1, 0, 20});
+    s.anchor = -4.905 * Vector3(g.fx / 1e4, g.fy / 1e4, g.m / 12.5);
+    const int steps = static_cast<int>(std::lround(0.1 / h));
+    for (int i = 0; i < steps; ++i)
+      s = body.step(s, i * h, h, method, no_load, [](double, const Vector3&) { return 4.905; }).state;
+    return s.place[0];
+  };
+  for (const auto& [method, order] : {std::pair{Method::implicit_euler, 1.}, {Method::sdirk2, 2.}}) {
+    const double a = place(method, 4e-4), b = place(method, 2e-4), c = place(method, 1e-4);
+    EXPECT_NEAR(std::log2(std::fabs((a - b) / (b - c))), order, 0.25);
+  }
+}
+
+// 95 % of the limit for a thousand steps of any length: the anchor stays to the bit, and the place to 1e-12 m.
+TEST(RoundBody, WhatIsHeldDoesNotCreep) {
+  const auto disc = friction::HertzDisc::of_radius(0.01);
+  const double L = 3, k = 1e5;
+  Vector3 f(0.4, 0.3, 0.002);
+  f *= 0.95 * L / friction::RoundLimitSurface(disc).gauge({f[0], f[1], f[2]}).value;
+  const RoundBody body(disc, {1, 1e-4, {k, k * 1e-4}, 20, 0.002});
+  for (const Method method : {Method::implicit_euler, Method::sdirk2}) {
+    for (double h = 1e-6; h < 0.2; h *= 10) {
+      PlanarState s;
+      s.place = f.cwiseQuotient(Vector3(k, k, k * 1e-4));
+      const PlanarState start = s;
+      s.twist = {1e-9, 0, 0};
+      for (int i = 0; i < 1000; ++i) {
+        const StepResult r = body.step(
+            s, i * h, h, method, [&](double) { return f; }, [&](double, const Vector3&) { return L; });
+        ASSERT_FALSE(r.slips);
+        s = r.state;
+      }
+      EXPECT_EQ(s.anchor, start.anchor);
+      EXPECT_LE((s.place - start.place).norm(), 1e-10);
+    }
+  }
+}
+
+// The normal force jumps over decades and to zero, from stage to stage.
+TEST(RoundBody, EnergyComesFromTheLoadAlone) {
+  std::mt19937_64 engine(1);
+  const auto disc = friction::HertzDisc::of_radius(0.01);
+  for (const Method method : {Method::implicit_euler, Method::sdirk2}) {
+    for (const bool rigid : {false, true}) {
+      RoundBodyParameters p{0.3, 2e-5};
+      if (!rigid) p = {0.3, 2e-5, {2e4, 3}, 5, 1e-3};
+      const RoundBody body(disc, p);
+      PlanarState s;
+      double scale = 0, balance = 0;
+      for (int i = 0; i < cases(25000); ++i) {
+        const double h = log_uniform(engine, 1e-6, 1e-1);
+        const Vector3 f(uniform(engine, -2, 2), uniform(engine, -2, 2), uniform(engine, -.02, .02));
+        const auto limit = [&](double, const Vector3&) {
+          return uniform(engine, 0, 1) < 0.1 ? 0 : log_uniform(engine, 1e-2, 10);
+        };
+        const StepResult r = body.step(
+            s, 0, h, method, [&](double) { return f; }, limit);
+        const double before = body.kinetic_energy(s) + body.stored_energy(s);
+        const double after = body.kinetic_energy(r.state) + body.stored_energy(r.state);
+        const StepEnergy& e = r.energy;
+        scale = std::max({scale, before, after, std::fabs(e.work)});
+        balance = std::max(balance, std::fabs(before + e.work - after - e.slip - e.damping - e.numerical));
+        ASSERT_GE(e.slip, 0);
+        ASSERT_GE(e.damping, 0);
+        ASSERT_GE(e.numerical, 0);
+        s = r.state;
+        if (s.twist.norm() > 10 || s.place.norm() > 1) s = {};
+      }
+      EXPECT_LE(balance, 1e-11 * scale);
+    }
+  }
+}
+
+TEST(RoundBody, BadInputIsRefused) {
+  const auto disc = friction::HertzDisc::of_radius(0.01);
+  using Parameters = RoundBodyParameters;
+  for (const Parameters& p :
+       {Parameters{0, 1}, Parameters{1, 0}, Parameters{1, 1, {-1, 1}}, Parameters{1, 1, {1, infinity}},
+        Parameters{1, 1, {1, 1}, -1}, Parameters{1, 1, {infinity, infinity}, 1}, Parameters{std::nan(""), 1}}) {
+    EXPECT_THROW(RoundBody(disc, p), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace patchgrip::dynamics
