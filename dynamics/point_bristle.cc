@@ -1,0 +1,71 @@
+#include <patchgrip/dynamics/point_bristle.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <patchgrip/contact/require.h>
+
+namespace patchgrip::dynamics {
+namespace {
+
+// c_0 kappa / S(v); 0 at rest, where it is multiplied by v = 0.
+double load_share(const PointBristle& b, double friction, double kappa) noexcept {
+  return friction == 0 ? 0 : b.c0 * kappa / friction;
+}
+
+}  // namespace
+
+void PointBristle::check() const {
+  contact::require_positive("c0", c0);
+  contact::require_non_negative("c1", c1);
+  contact::require_in("viscous_share", viscous_share, 0, 1);
+  contact::require_in("elastic_share", elastic_share, 0, 1, contact::Ends::right_open);
+  contact::require_positive("nu0", nu0);
+}
+
+double plastic_share(const PointBristle& bristle, double stribeck, double kappa, double v) noexcept {
+  const double size = std::fabs(kappa), end = std::fabs(stribeck) / bristle.c0, start = bristle.elastic_share * end;
+  if (kappa * v >= 0 || size <= start) return 0;
+  if (size >= end) return 1;
+  const double d = end - start, x = (size - start) / d;
+  return x * x * (3 - 2 * x);
+}
+
+double dahl_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa, double v) noexcept {
+  return -v * (1 - load_share(bristle, stribeck_force(law, normal_force, v), kappa));
+}
+
+double elastoplastic_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
+                          double v) noexcept {
+  const double S = stribeck_force(law, normal_force, v);
+  return -v * (1 - plastic_share(bristle, S, kappa, v) * load_share(bristle, S, kappa));
+}
+
+double extended_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
+                     double v) noexcept {
+  const double S = stribeck_force(law, normal_force, v), beta = plastic_share(bristle, S, kappa, v);
+  return -v * (1 - beta * (1 - bristle.nu0) - beta * bristle.nu0 * load_share(bristle, S, kappa));
+}
+
+double half_freedom_gain(const PointBristle& bristle, const Law& law, double normal_force, double v) noexcept {
+  const double speed = std::fabs(v);
+  const double friction = std::fabs(stribeck_force(law, normal_force, v) + viscous_force(law, normal_force, v));
+  return friction / (speed * (bristle.c1 - friction_slope(law, normal_force, v)));
+}
+
+double half_freedom_rate(const PointBristle& bristle, const Law& law, double normal_force, double alpha, double kappa,
+                         double v) noexcept {
+  if (alpha == 0 || v == 0) return -v;
+  const double nu = half_freedom_gain(bristle, law, normal_force, v);
+  const double friction = stribeck_force(law, normal_force, v) + viscous_force(law, normal_force, v);
+  return -v * (1 - alpha * (1 - nu * (1 - load_share(bristle, friction, kappa))));
+}
+
+double switch_ramp(double x) noexcept { return std::clamp((x - 1) / 0.01, 0., 1.); }
+
+double bristle_force(const PointBristle& bristle, const Law& law, double normal_force, double kappa, double rate,
+                     double v) noexcept {
+  return bristle.c0 * kappa + bristle.c1 * rate + bristle.viscous_share * viscous_force(law, normal_force, v);
+}
+
+}  // namespace patchgrip::dynamics
