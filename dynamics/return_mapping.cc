@@ -82,8 +82,10 @@ class Search {
   bool move(const Vector3& d, double gap) {
     const Search before = *this;
     const double slack = 4 * rounding();
+    // A step that gains less than rounding is tried once.
+    const int tries = gap * d.norm() < slack ? 1 : max_halvings;
     double share = 1;
-    for (int i = 0; i < max_halvings; ++i, share /= 2) {
+    for (int i = 0; i < tries; ++i, share /= 2) {
       at_unit((before.nu_ + share * d).normalized());
       if (psi_ > before.psi_) return true;
       if (psi_ > before.psi_ - slack && across(y_ - L_ * g_).norm() < 0.9 * gap) return true;

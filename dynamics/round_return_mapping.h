@@ -56,7 +56,7 @@ class RoundReturnMapping {
   Returned operator()(const friction::Wrench& trial, double limit, const RoundStiffness& K) const noexcept {
     if (limit == 0) return {{}, {trial.fx / K.k, trial.fy / K.k, trial.m / K.k_r}, true, 0};
     const double a = patch_.radius();
-    const double size = std::hypot(trial.fx, trial.fy);
+    const double size = length_of(trial);
     const double F = size / limit, M = std::fabs(trial.m) / (a * limit), n = M / centre_moment_;
     if (F * F + n * n <= inner_) return {{trial, 0, 0}, {}, false, 0};
     if (!(F + M < std::numeric_limits<double>::infinity())) return not_finite();
@@ -106,6 +106,12 @@ class RoundReturnMapping {
     return {{{nan, nan, nan}, none, none}, {nan, nan, nan}, true, 0};
   }
 
+  // |(fx, fy)| without hypot where squares stay finite and normal.
+  static double length_of(const friction::Wrench& t) noexcept {
+    const double square = t.fx * t.fx + t.fy * t.fy;
+    return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(t.fx, t.fy);
+  }
+
   Point at(double V, double W) const noexcept {
     const friction::RoundTwist t({V, 0, W}, 1);
     const friction::RoundGradient g = patch_.kernel().gradient(t);
@@ -130,18 +136,13 @@ class RoundReturnMapping {
     return least * (1 - 1e-3);
   }
 
-  // x of the closest point of the ellipsoid f^2 + (m / m_0)^2 = 1: f = F / (1 + t), m = M / (1 + q t), two steps of
-  // Newton's method for 1 / sqrt(f^2 + (m / m_0)^2), which is almost straight.
+  // V and W of the closest point of the ellipsoid f^2 + (m / m_0)^2 = 1: f = F / (1 + t), m = M / (1 + q t), one step of
+  // Newton's method from t = 0 for 1 / sqrt(f^2 + (m / m_0)^2), which is almost straight.
   std::pair<double, double> start(const Search& s) const noexcept {
-    const double e2 = centre_moment_ * centre_moment_, q = 1 / (s.rho * e2);
-    const double n = s.M / centre_moment_;
-    double t = 0;
-    for (int i = 0; i < 2; ++i) {
-      const double f = s.F / (1 + t), m = n / (1 + q * t);
-      const double N = f * f + m * m, fall = f * f / (1 + t) + q * m * m / (1 + q * t);
-      t = std::max(0., t + (std::sqrt(N) - 1) * N / fall);
-    }
-    return {e2 * s.F * (1 + q * t), s.M * (1 + t)};
+    const double n2 = s.M * s.M / (centre_moment_ * centre_moment_), F2 = s.F * s.F, N = F2 + n2;
+    const double e2rho = centre_moment_ * centre_moment_ * s.rho;
+    const double t = std::max(0., (std::sqrt(N) - 1) * N * e2rho / (F2 * e2rho + n2));
+    return {s.F * (e2rho + t), s.rho * s.M * (1 + t)};
   }
 
   void search_inside(Search& s) const noexcept {
