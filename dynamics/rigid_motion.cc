@@ -1,0 +1,249 @@
+#include <patchgrip/dynamics/rigid_motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <patchgrip/contact/require.h>
+#include <patchgrip/dynamics/trajectory.h>
+
+namespace patchgrip::dynamics {
+namespace {
+
+using friction::Gauge;
+using friction::Twist;
+using friction::Wrench;
+
+// n, ln rho, t - t_0, place.
+using Stretched = Trajectory<8>;
+
+constexpr double at_rest = 1e-17;       // of rho to its largest
+constexpr double first_motion = 1e-12;  // [s] after a jump that starts the body
+
+Wrench wrench(const Vector3& f) { return {f[0], f[1], f[2]}; }
+Vector3 vector(const Twist& v) { return {v.vx, v.vy, v.w}; }
+
+// Between axes of space and those of the patch, which has turned by `angle`.
+Vector3 turned(const Vector3& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
+}
+
+class Motion {
+ public:
+  Motion(const RigidPatchView& patch, const Vector3& mass, const friction::Law& law, const PlanarLoad& load,
+         const RigidMotionSettings& settings)
+      : patch_(patch), mass_(mass), root_(mass.cwiseSqrt()), law_(law), load_(load), settings_(settings) {}
+
+  RigidMotionResult run(const PlanarState& from, double t0, double t1, const std::vector<double>& samples,
+                        const Watch& watch) {
+    state_ = from;
+    t_ = t0;
+    end_ = t1;
+    samples_ = &samples;
+    watch_ = &watch;
+    next_sample_ = static_cast<std::size_t>(std::ranges::lower_bound(samples, t0) - samples.begin());
+    while (t_ < end_) {
+      if (state_.twist.isZero(0)) {
+        stick();
+      } else {
+        slip();
+      }
+    }
+    sample_to(end_);
+    state_.anchor = state_.place;
+    return {state_, events_, Vector3::Zero(), evaluations_};
+  }
+
+ private:
+  double limit(double t) const { return law_.mu_static * load_.normal_force(t); }
+
+  Gauge gauge(double t) const { return patch_.gauge(wrench(turned(load_.force(t), -state_.place[2]))); }
+  double excess(double t) const { return gauge(t).value - limit(t); }
+
+  // The end of the smooth piece that t lies in.
+  double piece_end(double t) const {
+    const auto next = std::ranges::upper_bound(load_.jumps, t);
+    return next == load_.jumps.end() ? end_ : std::min(*next, end_);
+  }
+
+  // A little inside of a piece: at the jump itself the load is that after it.
+  static double before(double t) { return std::nextafter(t, -std::numeric_limits<double>::infinity()); }
+
+  void sample_to(double t) {
+    while (next_sample_ < samples_->size() && (*samples_)[next_sample_] <= t) {
+      if (*watch_) (*watch_)((*samples_)[next_sample_], state_);
+      ++next_sample_;
+    }
+  }
+
+  void stick() {
+    sample_to(t_);
+    if (excess(t_) > 0) return start_at_jump();
+    const double end = piece_end(t_), last = end < end_ ? before(end) : end;
+    double lo = t_;
+    while (lo < last) {
+      const double hi = std::min(last, lo + settings_.longest_step);
+      if (excess(hi) > 0) {
+        std::uintmax_t steps = 200;
+        const auto [a, b] = boost::math::tools::toms748_solve([this](double t) { return excess(t); }, lo, hi,
+                                                              boost::math::tools::eps_tolerance<double>(53), steps);
+        sample_to(a);
+        t_ = b;
+        return start_steadily();
+      }
+      lo = hi;
+    }
+    sample_to(last);
+    t_ = end;
+  }
+
+  void note(SlipEvent::Kind kind, const Vector3& direction) {
+    const Twist v{direction[0], direction[1], direction[2]};
+    const double D = friction::power(patch_.gradient(v).value, v);
+    events_.push_back({kind, t_, {v.vx / D, v.vy / D, v.w / D}, state_, 0});
+  }
+
+  // The load is beyond the limit: a finite acceleration.
+  void start_at_jump() {
+    const Vector3 f = turned(load_.force(t_), -state_.place[2]);
+    const Returned r = patch_.closest(wrench(f), limit(t_), BristleMetric(Matrix3(mass_.asDiagonal())));
+    const Vector3 a = vector(r.slip);
+    note(SlipEvent::Kind::break_away, a);
+    state_.twist = turned(first_motion * a, state_.place[2]);
+  }
+
+  // The load passes the limit: the body leaves like tau^2.
+  void start_steadily() {
+    const Gauge g = gauge(t_);
+    const Vector3 n = vector(g.twist);
+    note(SlipEvent::Kind::break_away, n);
+    const double h = 1e-6 * settings_.longest_step, L = limit(t_);
+    const double rate = (gauge(t_ + h).value / limit(t_ + h) - gauge(t_ - h).value / limit(t_ - h)) / (2 * h);
+    const double tau = std::min(settings_.start / rate, piece_end(t_) - t_);
+    const double alpha = rate * L / n.dot(mass_.cwiseProduct(n));
+    const double angle = state_.place[2];
+    state_.place += turned(alpha * tau * tau * tau / 6 * n, angle);
+    state_.twist = turned(alpha * tau * tau / 2 * n, angle);
+    t_ += tau;
+  }
+
+  // G
+  Vector3 push(double t, const Vector3& v, double angle) {
+    ++evaluations_;
+    const Vector3 own = turned(v, -angle);
+    const Twist u{own[0], own[1], own[2]};
+    const Wrench r =
+        friction::friction_wrench(law_, load_.normal_force(t), patch_.moments, patch_.gradient(u), u).value;
+    return (load_.force(t) + turned({r.fx, r.fy, r.m}, angle)).cwiseQuotient(root_);
+  }
+
+  void slip() {
+    const double origin = t_, end = piece_end(t_);
+    const Vector3 p = root_.cwiseProduct(state_.twist);
+    const double size = p.norm();
+    const Vector3 n = p / size;
+    const auto twist = [&](const Stretched::State& y) {
+      return Vector3(size * std::exp(y[3]) * Vector3(y[0], y[1], y[2]).normalized().cwiseQuotient(root_));
+    };
+    // Seconds of stretched time: of the order of rho / |G| at the start.
+    const double scale = size / std::max(push(t_, state_.twist, state_.place[2]).norm(), 1e-300);
+    Stretched motion(
+        [&](double, const Stretched::State& y, Stretched::State& dy) {
+          const Vector3 v = twist(y), unit = Vector3(y[0], y[1], y[2]).normalized();
+          const double t = std::min(origin + y[4], end < end_ ? before(end) : end);
+          const Vector3 G = scale / size * push(t, v, y[7]);
+          const double along = unit.dot(G), rho = std::exp(y[3]);
+          for (std::size_t i = 0; i < 3; ++i) {
+            dy[i] = G[static_cast<Eigen::Index>(i)] - along * unit[static_cast<Eigen::Index>(i)];
+            dy[i + 5] = scale * rho * v[static_cast<Eigen::Index>(i)];
+          }
+          dy[3] = along;
+          dy[4] = scale * rho;
+        },
+        {n[0], n[1], n[2], 0, 0, state_.place[0], state_.place[1], state_.place[2]}, 0,
+        {.tolerance = settings_.tolerance, .first_step = 1e-3});
+    double largest = 0;
+    enum : std::size_t { rest, over, due };
+    motion.watch([&](double, const Stretched::State& y) {
+      largest = std::max(largest, y[3]);
+      return y[3] - largest - std::log(at_rest);
+    });
+    motion.watch([&](double, const Stretched::State& y) { return origin + y[4] - end; });
+    motion.watch([&](double, const Stretched::State& y) {
+      const double sample = next_sample_ < samples_->size() ? (*samples_)[next_sample_] : 2 * end_ + 1;
+      return origin + y[4] - sample;
+    });
+    std::size_t why = due;
+    motion.run(1e6, [&](double, const Stretched::State& y, std::size_t event) {
+      if (event == due) {
+        PlanarState at;
+        at.place = {y[5], y[6], y[7]};
+        at.twist = twist(y);
+        at.anchor = at.place;
+        if (*watch_) (*watch_)((*samples_)[next_sample_], at);
+        ++next_sample_;
+        return false;
+      }
+      why = event;
+      return true;
+    });
+    const Stretched::State& y = motion.state();
+    state_.place = {y[5], y[6], y[7]};
+    state_.twist = twist(y);
+    t_ = why == over ? end : origin + y[4];
+    sample_to(t_);
+    if (why != rest) return;
+    const Vector3 direction = turned(state_.twist / state_.twist.norm(), -state_.place[2]);
+    state_.twist.setZero();
+    note(SlipEvent::Kind::stop, direction);
+  }
+
+  const RigidPatchView& patch_;
+  Vector3 mass_, root_;  // M, M^(1/2)
+  const friction::Law& law_;
+  const PlanarLoad& load_;
+  const RigidMotionSettings& settings_;
+  PlanarState state_;
+  double t_ = 0, end_ = 0;
+  const std::vector<double>* samples_ = nullptr;
+  const Watch* watch_ = nullptr;
+  std::size_t next_sample_ = 0;
+  std::vector<SlipEvent> events_;
+  long evaluations_ = 0;
+};
+
+}  // namespace
+
+void RigidMotionSettings::check() const {
+  contact::require_in("tolerance", tolerance, 1e-14, 1e-3);
+  contact::require_positive("longest_step", longest_step);
+  contact::require_in("start", start, 1e-6, 0.5);
+}
+
+RigidMotionResult rigid_motion(const RigidPatchView& patch, const Vector3& mass, const friction::Law& law,
+                               const PlanarLoad& load, const PlanarState& from, double t0, double t1,
+                               const RigidMotionSettings& settings, const std::vector<double>& samples,
+                               const Watch& watch) {
+  settings.check();
+  contact::require_in("end", t1, t0, std::numeric_limits<double>::max());
+  RigidMotionResult r = Motion(patch, mass, law, load, settings).run(from, t0, t1, samples, watch);
+  RigidMotionSettings rough = settings;
+  rough.tolerance = std::min(1e-3, 100 * settings.tolerance);
+  rough.start = std::min(0.5, 2 * settings.start);
+  const RigidMotionResult other = Motion(patch, mass, law, load, rough).run(from, t0, t1, {}, {});
+  const bool alike = other.events.size() == r.events.size();
+  for (std::size_t i = 0; i < r.events.size(); ++i) {
+    const bool same = alike && other.events[i].kind == r.events[i].kind;
+    const double rounding = 8 * 0x1p-53 * std::fabs(r.events[i].time);
+    r.events[i].error =
+        same ? std::fabs(other.events[i].time - r.events[i].time) + rounding : std::numeric_limits<double>::infinity();
+  }
+  r.place_error = (other.state.place - r.state.place).cwiseAbs();
+  r.evaluations += other.evaluations;
+  return r;
+}
+
+}  // namespace patchgrip::dynamics
