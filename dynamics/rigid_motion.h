@@ -1,8 +1,17 @@
 // A body on a rigid patch under a load that changes: exact stick, set-valued slip, and the times between them.
 //
 //     stick   v = 0 while g(-f(t)) <= mu_s F_N(t)                                        (friction/limit_surface)
-//     slip    M v' = f(t) + t(v),  friction/law.h, in the stretched time of rigid_slide.h
+//     slip    M v' = f(t) + t(v),    t(v) = -mu(v_m) F_N grad D(v)                                (friction/law.h)
 //
+// Near rest the direction of v turns ever faster, and no step of t is short enough. With p = M^(1/2) v = rho n, |n| = 1,
+// and the stretched time ds = dt / rho
+//
+//     dn/ds = G - n (n . G),   d ln rho / ds = n . G,   dt/ds = rho,   dx/ds = rho v,       G = M^(-1/2) (f + t)
+//
+// is regular through the stop: rho falls exponentially, t converges, n tends to the pole of the stop, for a puck the root
+// of f(x) = q x m(x).
+//
+// Patch        under the centre of mass; turns with the body.
 // Break-away   the root of g(f(t)) - mu_s F_N(t), bracketed by samples `longest_step` apart. At a jump of the load the
 //              body leaves with the acceleration a = argmin a . M a / 2 + D(a) mu_s F_N - f . a, the return mapping in
 //              the metric M. Where the load passes the limit steadily it leaves along the gauge's slip n, with
@@ -13,7 +22,7 @@
 //              increasing. F_N(t) > 0 likewise.
 // Units        m [kg], J [kg m^2], t [s].
 // Error        of times and places: tolerance and start twice as wide (a hundredfold, twofold) tell; `error` of each event.
-//              tests/dynamics/rigid_motion_test.cc.
+//              Stop time and distance of pucks to 1e-13 at the tolerance 1e-13; tests/dynamics/rigid_motion_test.cc.
 // Throws       std::invalid_argument unless m, J > 0, the settings are in range and times increase; std::runtime_error
 //              as trajectory.h.
 #pragma once

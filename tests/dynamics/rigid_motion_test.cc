@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
 #include <patchgrip/friction/rectangle.h>
+#include <patchgrip/friction/uniform_disc.h>
 
 namespace patchgrip::dynamics {
 namespace {
@@ -20,6 +22,106 @@ using Kind = SlipEvent::Kind;
 
 PlanarLoad pushed(std::function<Vector3(double)> force, double normal_force = 10, std::vector<double> jumps = {}) {
   return {std::move(force), [=](double) { return normal_force; }, std::move(jumps)};
+}
+
+PlanarState moving(double vx, double vy, double w) {
+  PlanarState s;
+  s.twist = {vx, vy, w};
+  return s;
+}
+
+struct Slide {
+  PlanarState state;
+  double time, time_error;
+  bool stopped;
+  friction::Twist last;
+};
+
+// Without a load, from a motion at t = 0 to rest.
+template <class P>
+Slide slide(const P& patch, double mass, double inertia, const Law& law, double normal_force, const PlanarState& from,
+            double tolerance = 1e-12, const Vector3& load = Vector3::Zero(), double longest = 100) {
+  const RigidMotion motion(patch, mass, inertia, law);
+  const RigidMotionResult r = motion(pushed([=](double) { return load; }, normal_force), from, 0, longest, {tolerance});
+  if (r.events.empty()) return {r.state, longest, 0, false, {}};
+  EXPECT_EQ(r.events[0].kind, Kind::stop);
+  return {r.state, r.events[0].time, r.events[0].error, true, r.events[0].slip};
+}
+
+// R = 0.05 m, 1 kg, J = m R^2 / 2, mu = 0.5, g = 9.81 m/s^2.
+template <class P>
+void expect_stop(const P& disc, double time, double distance, double turn) {
+  const Slide s = slide(disc, 1, 0.00125, Law::coulomb(0.5), 9.81, moving(1, 0, 20), 1e-13);
+  EXPECT_NEAR(s.time, time, 2e-13);
+  EXPECT_NEAR(s.state.place[0], distance, 2e-13);
+  EXPECT_NEAR(s.state.place[2], turn, 2e-11);
+  EXPECT_LE(s.time_error, 1e-10);
+  const Slide rough = slide(disc, 1, 0.00125, Law::coulomb(0.5), 9.81, moving(1, 0, 20), 1e-8);
+  EXPECT_LE(std::fabs(rough.time - time), rough.time_error);
+}
+
+TEST(RigidMotion, APuckComesToRestWhereItIsKnownTo) {
+  expect_stop(friction::UniformDisc::of_radius(0.05), .27325143366306, .12994846567449, 2.95243022942);
+  expect_stop(HertzDisc::of_radius(0.05), .28808448600715, .12928855096844, 3.27323081330);
+}
+
+// tau = mu g t / (a omega_0) at the stop, x0 = v0 / (a omega_0), q = m a^2 / J (reference table).
+TEST(RigidMotion, ScaledStopTimes) {
+  const auto tau = [](const auto& disc, double q, double x0) {
+    return slide(disc, 1, 1 / q, Law::coulomb(1), 1, moving(x0, 0, 1), 1e-13).time;
+  };
+  EXPECT_NEAR(tau(HertzDisc::of_radius(1), 2.5, 2), 2.203889813833, 2e-12);
+  EXPECT_NEAR(tau(friction::UniformDisc::of_radius(1), 2, 0.1), 0.7607786802246, 2e-12);
+}
+
+// x = v / (a |w|) tends to the root of f(x) = q x m(x).
+TEST(RigidMotion, ThePoleOfTheStopIsThatOfCoastingDown) {
+  const auto limit = [](const auto& disc, double q, double x0) {
+    const Slide s = slide(disc, 1, 1 / q, Law::coulomb(1), 1, moving(x0, 0, 1));
+    return std::hypot(s.last.vx, s.last.vy) / std::fabs(s.last.w);
+  };
+  for (const double x0 : {0.3, 3.}) {
+    EXPECT_NEAR(limit(friction::UniformDisc::of_radius(1), 2, x0), 0.65300178920559763899, 1e-8);
+    EXPECT_NEAR(limit(HertzDisc::of_radius(1), 3, x0), 0.7233024093136838630929, 1e-8);
+    EXPECT_NEAR(limit(friction::FlatPunchDisc::of_radius(1), 2, x0), 1, 1e-8);
+  }
+}
+
+TEST(RigidMotion, PureMotionsStopAsCoulombSays) {
+  const auto disc = HertzDisc::of_radius(0.1);
+  const Slide s = slide(disc, 2, 0.01, Law::coulomb(0.3), 20, moving(3, 4, 0));
+  EXPECT_NEAR(s.time, 5 * 2 / 6., 1e-11);
+  EXPECT_NEAR(s.state.place[0], 3. / 5 * 25 / 6, 1e-10);
+  EXPECT_NEAR(s.state.place[2], 0, 1e-15);
+  const Slide spin = slide(disc, 2, 0.01, Law::coulomb(0.3), 20, moving(0, 0, -7));
+  EXPECT_NEAR(spin.time, 7 * 0.01 / (6 * 3 * std::numbers::pi / 16 * 0.1), 1e-11);
+}
+
+// A patch that turns with its body: from two sides the same, turned.
+TEST(RigidMotion, DoesNotDependOnTheAxesOfSpace) {
+  const auto patch = friction::Rectangle::of_sides(0.1, 0.03);
+  const Slide a = slide(patch, 1, 0.001, Law::coulomb(0.4), 10, moving(0.5, 0, 8));
+  PlanarState from = moving(0, 0.5, 8);
+  from.place[2] = std::numbers::pi / 2;
+  const Slide b = slide(patch, 1, 0.001, Law::coulomb(0.4), 10, from);
+  EXPECT_NEAR(a.time, b.time, 1e-10);
+  EXPECT_NEAR(a.state.place[0], b.state.place[1], 1e-10);
+  EXPECT_NEAR(a.state.place[1], -b.state.place[0], 1e-10);
+}
+
+TEST(RigidMotion, StribeckStopsSooner) {
+  const auto disc = HertzDisc::of_radius(0.1);
+  const Slide coulomb = slide(disc, 1, 0.01, Law::coulomb(0.3), 10, moving(1, 0, 5));
+  const Slide stribeck = slide(disc, 1, 0.01, Law::stribeck(0.6, 0.3, 0.1), 10, moving(1, 0, 5));
+  EXPECT_TRUE(stribeck.stopped);
+  EXPECT_LT(stribeck.time, coulomb.time);
+}
+
+TEST(RigidMotion, ALoadThatFrictionCannotStopGoesOn) {
+  const Slide s =
+      slide(HertzDisc::of_radius(0.1), 1, 0.01, Law::coulomb(0.3), 10, moving(0.1, 0, 0), 1e-12, {4, 0, 0}, 2);
+  EXPECT_FALSE(s.stopped);
+  EXPECT_NEAR(s.state.twist[0], 2.1, 1e-10);
 }
 
 // The disc of figures 4.30 and 4.31 without bristles: 0.49 N throughout, a moment from 5 s to 15 s.

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <patchgrip/dynamics/rigid_slide.h>
+#include <patchgrip/dynamics/rigid_motion.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
 #include <patchgrip/friction/uniform_disc.h>
@@ -29,12 +29,12 @@ struct Stop {
 };
 
 // A puck of radius 0.05 m, 1 kg, J = m R^2 / 2, v = 1 m/s, w = 20 rad/s, mu = 0.5, g = 9.81 m/s^2: where it comes to
-// rest, and when, by the rigid slide from the last step that ends half a step or more before.
+// rest, and when, on a rigid patch from the last step that ends half a step or more before.
 template <class P>
 Stop puck(const P& disc, double k, double h, Method method) {
   const double R = 0.05, L = 0.5 * 9.81;
   const RoundBody body(disc, {1, R * R / 2, {k, k * R * R / 2}});
-  const RigidSlide rest(disc, 1, R * R / 2, friction::Law::coulomb(0.5), 9.81);
+  const RigidMotion rest(disc, 1, R * R / 2, friction::Law::coulomb(0.5));
   PlanarState s, last;
   s.twist = {1, 0, 20};
   double at = 0;
@@ -45,7 +45,9 @@ Stop puck(const P& disc, double k, double h, Method method) {
     const double D = disc.dissipation({s.twist[0], s.twist[1], s.twist[2]});
     if (2 * body.kinetic_energy(s) > h / 2 * L * D) last = s, at = t + h;
   }
-  return {at + rest(last).time, s.place[0], s.place[2]};
+  const RigidMotionResult stop =
+      rest({[](double) { return Vector3(Vector3::Zero()); }, [](double) { return 9.81; }}, last, at, 1);
+  return {stop.events.at(0).time, s.place[0], s.place[2]};
 }
 
 TEST(RoundBody, APuckComesToRestWhereItIsKnownTo) {
