@@ -1,8 +1,8 @@
-#include <patchgrip/dynamics/round_body.h>
+#include <patchgrip/dynamics/bristle_body.h>
 
 namespace patchgrip::dynamics {
 
-void RoundBodyParameters::check() const {
+void BristleBodyParameters::check() const {
   contact::require_positive("mass", mass);
   contact::require_positive("inertia", inertia);
   const bool rigid = std::isinf(stiffness.k) && stiffness.k > 0 && std::isinf(stiffness.k_r) && stiffness.k_r > 0;

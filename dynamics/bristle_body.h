@@ -1,10 +1,11 @@
-// One step of a body on a round patch under its centre of mass, held by bristles: stable at every step length.
+// One step of a body on a patch, held by bristles: stable at every step length.
 //
 //     M v' = f - s,      kappa' = v - e,      s = K kappa + D kappa' in L B,      e in the normal cone of L B at s
 //
 // (the half-degree-of-freedom model of the seed, 4.62 with its signs corrected: f the load, s what the bristles carry, e
-// the slip rate). K = diag(k, k, k_r) and kappa are kept in axes fixed in space, as a round patch allows: rotating axes
-// would make a finite bristle drift. An implicit stage of length tau is one return mapping: with K' = K + D / tau,
+// the slip rate; all about the centre of mass). K = diag(k, k, k_r) and kappa are kept in axes of space, in which no
+// bristle drifts for the turning of its axes; B turns with the body, by the angle that a stage is predicted to end at
+// (a round patch under the centre does not care). An implicit stage of length tau is one return mapping: with K' = K + D / tau,
 //
 //     s = closest wrench to  s* = K_e [K'^-1 K kappa_0 + tau v_0 + tau^2 M^-1 f],     K_e = (K'^-1 + tau^2 M^-1)^-1
 //
@@ -30,17 +31,19 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 #include <patchgrip/contact/require.h>
 #include <patchgrip/dynamics/planar_state.h>
+#include <patchgrip/dynamics/return_mapping.h>
 #include <patchgrip/dynamics/round_return_mapping.h>
 
 namespace patchgrip::dynamics {
 
 enum class Method { implicit_euler, sdirk2 };
 
-struct RoundBodyParameters {
+struct BristleBodyParameters {
   double mass;
   double inertia;  // about the centre of mass
   RoundStiffness stiffness{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -50,10 +53,17 @@ struct RoundBodyParameters {
   void check() const;
 };
 
+// Round about the origin: its friction does not change as it turns.
 template <class P>
-class RoundBody {
+concept RoundAboutOrigin = requires(const P& patch) {
+  patch.kernel();
+  patch.radius();
+};
+
+template <friction::Patch P>
+class BristleBody {
  public:
-  RoundBody(P patch, const RoundBodyParameters& p) : mapping_(std::move(patch)), parameters_(p) {
+  BristleBody(P patch, const BristleBodyParameters& p) : mapping_(std::move(patch)), parameters_(p) {
     p.check();
     M_ = {p.mass, p.mass, p.inertia};
     C_ = Vector3(p.stiffness.k, p.stiffness.k, p.stiffness.k_r).cwiseInverse();
@@ -62,7 +72,7 @@ class RoundBody {
   }
 
   const P& patch() const noexcept { return mapping_.patch(); }
-  const RoundBodyParameters& parameters() const noexcept { return parameters_; }
+  const BristleBodyParameters& parameters() const noexcept { return parameters_; }
 
   double kinetic_energy(const PlanarState& s) const { return s.twist.dot(M_.cwiseProduct(s.twist)) / 2; }
   double stored_energy(const PlanarState& s) const {
@@ -76,16 +86,18 @@ class RoundBody {
                   const Limit& limit) const {
     const Vector3 kappa = from.deflection();
     if (method == Method::implicit_euler) {
-      const Stage one =
-          stage(from.twist, kappa, h, load(t + h), limit(t + h, Vector3(from.twist + h * from.acceleration)));
+      const Vector3 end = from.twist + h * from.acceleration;
+      const Stage one = stage(from.twist, kappa, h, load(t + h), limit(t + h, end), from.place[2] + h * end[2]);
       return combined<1>(from, h, {one}, {1});
     }
-    const Stage one = stage(from.twist, kappa, g * h, load(t + g * h),
-                            limit(t + g * h, Vector3(from.twist + g * h * from.acceleration)));
+    const Vector3 end = from.twist + g * h * from.acceleration;
+    const Stage one =
+        stage(from.twist, kappa, g * h, load(t + g * h), limit(t + g * h, end), from.place[2] + g * h * end[2]);
     const double rest = (1 - 2 * g) * h;
+    const Vector3 other = from.twist + (1 - g) * h * one.acceleration;
     const Stage two =
         stage(from.twist + rest * one.acceleration, kappa + rest * one.deflection_rate(), g * h, load(t + (1 - g) * h),
-              limit(t + (1 - g) * h, Vector3(from.twist + (1 - g) * h * one.acceleration)));
+              limit(t + (1 - g) * h, other), from.place[2] + rest * one.twist[2] + g * h * other[2]);
     return combined<2>(from, h, {one, two}, {0.5, 0.5});
   }
 
@@ -105,14 +117,31 @@ class RoundBody {
 
   bool is_rigid() const { return C_.isZero(0); }
 
-  Stage stage(const Vector3& v0, const Vector3& kappa0, double tau, const Vector3& f, double limit) const {
+  // The closest wrench to `trial` that the patch admits, turned by `angle`.
+  Returned closest(const Vector3& trial, double limit, const Vector3& Ke, double angle) const {
+    if constexpr (RoundAboutOrigin<P>) {
+      return mapping_({trial[0], trial[1], trial[2]}, limit, {Ke[0], Ke[2]});
+    } else {
+      const double c = std::cos(angle), s = std::sin(angle);
+      Returned r = mapping_({c * trial[0] + s * trial[1], c * trial[1] - s * trial[0], trial[2]}, limit,
+                            BristleMetric::diagonal(Ke[0], Ke[1], Ke[2]));
+      friction::Wrench& t = r.wrench.value;
+      friction::Twist& u = r.slip;
+      t = {c * t.fx - s * t.fy, s * t.fx + c * t.fy, t.m};
+      u = {c * u.vx - s * u.vy, s * u.vx + c * u.vy, u.w};
+      return r;
+    }
+  }
+
+  Stage stage(const Vector3& v0, const Vector3& kappa0, double tau, const Vector3& f, double limit,
+              double angle) const {
     Stage r{f, {}, {}, {}, Vector3::Zero(), kappa0, false};
     const Vector3 Kd = K_ + D_ / tau;  // K'
     const Vector3 Ke = is_rigid() ? Vector3(M_ / (tau * tau))
                                   : Vector3((Kd.cwiseInverse() + tau * tau * M_.cwiseInverse()).cwiseInverse());
     const Vector3 sprung = is_rigid() ? Vector3::Zero() : Vector3(K_.cwiseProduct(kappa0).cwiseQuotient(Kd));
     const Vector3 trial = Ke.cwiseProduct(sprung + tau * v0) + Ke.cwiseProduct(tau * tau * f.cwiseQuotient(M_));
-    const Returned found = mapping_({trial[0], trial[1], trial[2]}, limit, {Ke[0], Ke[2]});
+    const Returned found = closest(trial, limit, Ke, angle);
     r.slips = found.slips;
     if (!found.slips) {
       if (is_rigid()) {
@@ -178,8 +207,8 @@ class RoundBody {
     }
   }
 
-  RoundReturnMapping<P> mapping_;
-  RoundBodyParameters parameters_;
+  std::conditional_t<RoundAboutOrigin<P>, RoundReturnMapping<P>, ReturnMapping<P>> mapping_;
+  BristleBodyParameters parameters_;
   Vector3 M_, C_, K_, D_;  // C = K^-1
 };
 

@@ -1,5 +1,5 @@
 // A body on a round patch: known motions, no creep, no energy from nowhere.
-#include <patchgrip/dynamics/round_body.h>
+#include <patchgrip/dynamics/bristle_body.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +11,8 @@
 #include <patchgrip/dynamics/rigid_motion.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
+#include <patchgrip/friction/placed.h>
+#include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/tests/support/cases.h>
 
@@ -33,7 +35,7 @@ struct Stop {
 template <class P>
 Stop puck(const P& disc, double k, double h, Method method) {
   const double R = 0.05, L = 0.5 * 9.81;
-  const RoundBody body(disc, {1, R * R / 2, {k, k * R * R / 2}});
+  const BristleBody body(disc, {1, R * R / 2, {k, k * R * R / 2}});
   const RigidMotion rest(disc, 1, R * R / 2, friction::Law::coulomb(0.5));
   PlanarState s, last;
   s.twist = {1, 0, 20};
@@ -50,7 +52,7 @@ Stop puck(const P& disc, double k, double h, Method method) {
   return {stop.events.at(0).time, s.place[0], s.place[2]};
 }
 
-TEST(RoundBody, APuckComesToRestWhereItIsKnownTo) {
+TEST(BristleBody, APuckComesToRestWhereItIsKnownTo) {
   const Stop u = puck(friction::UniformDisc::of_radius(0.05), 1e8, 2e-3, Method::sdirk2);
   EXPECT_NEAR(u.time, .27325143366306, 1e-6);
   EXPECT_NEAR(u.distance, .12994846567449, 1e-6);
@@ -61,10 +63,10 @@ TEST(RoundBody, APuckComesToRestWhereItIsKnownTo) {
   EXPECT_NEAR(h.turn, 3.27323081330, 2e-5);
 }
 
-TEST(RoundBody, ConvergesWithItsOrder) {
+TEST(BristleBody, ConvergesWithItsOrder) {
   const auto disc = friction::UniformDisc::of_radius(0.05);
   const auto place = [&](Method method, double h) {
-    const RoundBody body(disc, {1, 0.00125, {1e4, 12.5}});
+    const BristleBody body(disc, {1, 0.00125, {1e4, 12.5}});
     // Sliding for long, the bristles bent.
     PlanarState s;
     s.twist = {1, 0, 20};
@@ -82,12 +84,12 @@ TEST(RoundBody, ConvergesWithItsOrder) {
 }
 
 // 95 % of the limit for a thousand steps of any length: the anchor stays to the bit, and the place to 1e-12 m.
-TEST(RoundBody, WhatIsHeldDoesNotCreep) {
+TEST(BristleBody, WhatIsHeldDoesNotCreep) {
   const auto disc = friction::HertzDisc::of_radius(0.01);
   const double L = 3, k = 1e5;
   Vector3 f(0.4, 0.3, 0.002);
   f *= 0.95 * L / friction::RoundLimitSurface(disc).gauge({f[0], f[1], f[2]}).value;
-  const RoundBody body(disc, {1, 1e-4, {k, k * 1e-4}, 20, 0.002});
+  const BristleBody body(disc, {1, 1e-4, {k, k * 1e-4}, 20, 0.002});
   for (const Method method : {Method::implicit_euler, Method::sdirk2}) {
     for (double h = 1e-6; h < 0.2; h *= 10) {
       PlanarState s;
@@ -107,17 +109,17 @@ TEST(RoundBody, WhatIsHeldDoesNotCreep) {
 }
 
 // The normal force jumps over decades and to zero, from stage to stage.
-TEST(RoundBody, EnergyComesFromTheLoadAlone) {
+template <class P>
+void expect_energy_from_the_load_alone(const P& patch, int count) {
   std::mt19937_64 engine(1);
-  const auto disc = friction::HertzDisc::of_radius(0.01);
   for (const Method method : {Method::implicit_euler, Method::sdirk2}) {
     for (const bool rigid : {false, true}) {
-      RoundBodyParameters p{0.3, 2e-5};
+      BristleBodyParameters p{0.3, 2e-5};
       if (!rigid) p = {0.3, 2e-5, {2e4, 3}, 5, 1e-3};
-      const RoundBody body(disc, p);
+      const BristleBody body(patch, p);
       PlanarState s;
       double scale = 0, balance = 0;
-      for (int i = 0; i < cases(25000); ++i) {
+      for (int i = 0; i < cases(count); ++i) {
         const double h = log_uniform(engine, 1e-6, 1e-1);
         const Vector3 f(uniform(engine, -2, 2), uniform(engine, -2, 2), uniform(engine, -.02, .02));
         const auto limit = [&](double, const Vector3&) {
@@ -141,13 +143,35 @@ TEST(RoundBody, EnergyComesFromTheLoadAlone) {
   }
 }
 
-TEST(RoundBody, BadInputIsRefused) {
+TEST(BristleBody, EnergyComesFromTheLoadAlone) {
+  expect_energy_from_the_load_alone(friction::HertzDisc::of_radius(0.01), 25000);
+  expect_energy_from_the_load_alone(friction::Rectangle::of_sides(0.03, 0.01), 1000);
+  expect_energy_from_the_load_alone(friction::Placed(friction::UniformDisc::of_radius(0.01), 0.02, -0.01), 1000);
+}
+
+// A rectangle that slides and spins, against the rigid motion: the bristles hold it back by their stretch.
+TEST(BristleBody, APatchThatTurnsWithTheBodyStopsWhereTheRigidOneDoes) {
+  const auto patch = friction::Rectangle::of_sides(0.1, 0.03);
+  PlanarState s;
+  s.twist = {0.5, 0.1, 8};
+  const RigidMotionResult rigid = RigidMotion(patch, 1, 0.001, friction::Law::coulomb(0.4))(
+      {[](double) { return Vector3(Vector3::Zero()); }, [](double) { return 10.; }}, s, 0, 1);
+  const BristleBody body(patch, {1, 0.001, {1e8, 1e5}});
+  const double h = 5e-4;
+  for (double t = 0; t < 0.2; t += h)
+    s = body.step(s, t, h, Method::sdirk2, no_load, [](double, const Vector3&) { return 4.; }).state;
+  EXPECT_NEAR(s.place[0], rigid.state.place[0], 2e-6);
+  EXPECT_NEAR(s.place[1], rigid.state.place[1], 2e-6);
+  EXPECT_NEAR(s.place[2], rigid.state.place[2], 1e-4);
+}
+
+TEST(BristleBody, BadInputIsRefused) {
   const auto disc = friction::HertzDisc::of_radius(0.01);
-  using Parameters = RoundBodyParameters;
+  using Parameters = BristleBodyParameters;
   for (const Parameters& p :
        {Parameters{0, 1}, Parameters{1, 0}, Parameters{1, 1, {-1, 1}}, Parameters{1, 1, {1, infinity}},
         Parameters{1, 1, {1, 1}, -1}, Parameters{1, 1, {infinity, infinity}, 1}, Parameters{std::nan(""), 1}}) {
-    EXPECT_THROW(RoundBody(disc, p), std::invalid_argument);
+    EXPECT_THROW(BristleBody(disc, p), std::invalid_argument);
   }
 }
 
