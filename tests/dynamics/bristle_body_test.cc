@@ -165,6 +165,32 @@ TEST(BristleBody, APatchThatTurnsWithTheBodyStopsWhereTheRigidOneDoes) {
   EXPECT_NEAR(s.place[2], rigid.state.place[2], 1e-4);
 }
 
+// The disc of figures 4.30 and 4.31 by return mapping, dampers inside of the limit: another law than the elastoplastic
+// one, with the same stiffness and damping.
+TEST(BristleBody, TheDiscOfTheFiguresComesToRest) {
+  const auto disc = friction::HertzDisc::of_radius(0.2);
+  const BristleBody body(disc, {1, 1, {1000, 40}, 20, 0.8});
+  const friction::Law law = friction::Law::stribeck(1, 0.5, 0.05);
+  const auto limit = [&](double, const Vector3& v) {
+    return friction::coefficient(law, disc.moments(), {v[0], v[1], v[2]});
+  };
+  const auto load = [](double t) { return Vector3(0.49, 0, t > 5 && t < 15 ? 0.1167 : 0); };
+  PlanarState s;
+  s.place[0] = 0.49 / 1000;
+  const double h = 5e-4;
+  double stop = 0;
+  for (int i = 0; i < 120000; ++i) {
+    const StepResult r = body.step(s, i * h, h, Method::sdirk2, load, limit);
+    const auto speed = [](const PlanarState& x) { return std::hypot(x.twist[0], x.twist[1], 0.2 * x.twist[2]); };
+    const double before = speed(s) - 1e-3, after = speed(r.state) - 1e-3;
+    if ((before > 0) != (after > 0)) stop = h * (i + before / (before - after));
+    s = r.state;
+  }
+  EXPECT_NEAR(stop, 44.17093, 1e-5);
+  EXPECT_NEAR(s.place[0] - 0.49 / 1000, 3.2469294, 1e-6);
+  EXPECT_NEAR(s.place[2], 8.6383397, 2e-6);
+}
+
 TEST(BristleBody, BadInputIsRefused) {
   const auto disc = friction::HertzDisc::of_radius(0.01);
   using Parameters = BristleBodyParameters;
