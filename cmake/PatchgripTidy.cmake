@@ -10,6 +10,6 @@ if(RUN_CLANG_TIDY)
     COMMAND sed "s/-Winvalid-pch -include [^ ]*cmake_pch.hxx//" ${PROJECT_BINARY_DIR}/compile_commands.json >
             ${commands}/compile_commands.json
     COMMAND ${RUN_CLANG_TIDY} -quiet -extra-arg=-Wno-unknown-warning-option -p ${commands}
-            "${PROJECT_SOURCE_DIR}/(contact|friction|cli|bench|tests)/"
+            "${PROJECT_SOURCE_DIR}/(contact|friction|grasp|dynamics|cli|bench|tests)/"
     USES_TERMINAL VERBATIM)
 endif()

@@ -9,7 +9,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${work}
 file(GLOB_RECURSE exported ${work}/prefix/*.cmake)
 foreach(file IN LISTS exported)
   file(READ ${file} text)
-  if(text MATCHES "${SOURCE_DIR}/(contact|friction|grasp|build)")
+  if(text MATCHES "${SOURCE_DIR}/(contact|friction|grasp|dynamics|build)")
     message(FATAL_ERROR "${file} points into the source tree")
   endif()
 endforeach()
