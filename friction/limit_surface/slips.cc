@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <queue>
-#include <set>
 #include <tuple>
 
 namespace patchgrip::friction {
@@ -43,9 +43,12 @@ std::vector<Slip> spread_slips(const SupportFunction& D, std::size_t count) {
     return {{v.vx / d.value, v.vy / d.value, v.w / d.value}, d.wrench};
   };
   std::vector<Slip> slips;
-  std::set<std::tuple<double, double, double>> known;  // an edge is bisected from both sides
+  std::map<std::tuple<double, double, double>, int> met;
+  // How often.
   const auto add = [&](const Slip& s) {
-    if (known.insert({s.twist.vx, s.twist.vy, s.twist.w}).second) slips.push_back(s);
+    const int times = ++met[{s.twist.vx, s.twist.vy, s.twist.w}];
+    if (times == 1) slips.push_back(s);
+    return times;
   };
   std::priority_queue<Cone> cones;
   const Slip spin = slip({0, 0, 1});
@@ -55,12 +58,13 @@ std::vector<Slip> spread_slips(const SupportFunction& D, std::size_t count) {
     cones.push(cone({slip(equator[k]), slip(equator[(k + 1) % 4]), spin}));
     if (k < 2) add(slip(equator[k]));
   }
-  while (slips.size() < count && cones.top().longest > 0) {
+  while (slips.size() < count && !cones.empty() && cones.top().longest > 0) {
     const Cone c = cones.top();
     cones.pop();
     const Slip &apex = c.corners[c.apex], &p = c.corners[(c.apex + 1) % 3], &q = c.corners[(c.apex + 2) % 3];
     const Slip middle = slip({p.twist.vx + q.twist.vx, p.twist.vy + q.twist.vy, p.twist.w + q.twist.w});
-    add(middle);
+    // An edge is bisected from both sides. Once more, and the cone is flat: of its parts one would be cut there again.
+    if (add(middle) > 2) continue;
     cones.push(cone({apex, p, middle}));
     cones.push(cone({apex, middle, q}));
   }

@@ -56,6 +56,21 @@ TEST(Slips, PassByKinks) {
   }
 }
 
+// Flat cones come up among those that are cut next to a kink: each cut would make the same again.
+TEST(Slips, EndForPointsAmongZones) {
+  std::mt19937_64 engine(7);
+  const auto place = [&] { return testing::uniform(engine, -10, 10); };
+  for (int i = 0; i < testing::cases(100); ++i) {
+    std::vector<Several::Part> parts{{Placed(PointLoad{}, place(), place()), 1}};
+    for (int k = 0; k < 3; ++k)
+      parts.push_back({Placed(HertzDisc::of_radius(testing::log_uniform(engine, 1e-2, 10)), place(), place()),
+                       testing::log_uniform(engine, 1e-2, 1e2)});
+    const auto patch = Several::of_parts(parts);
+    const auto axes = CentredFrame::of(patch);
+    EXPECT_EQ(spread_slips(support_function(patch, axes), 1000).size(), 1000U) << i;
+  }
+}
+
 TEST(Slips, LieOnTheLimitSurfaceAndItsPolar) {
   const Rectangle patch = Rectangle::of_sides(0.04, 0.01);
   const auto axes = CentredFrame::of(patch);
