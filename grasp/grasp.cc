@@ -61,7 +61,7 @@ const GripAnswer& Grasp::holds_within(const Vector6& load, std::span<const doubl
   const double size = power_of_two_near(w.norm());
   GripProblem problem{scaled_.get(), Objective::max_force, w / size, Vector6::Zero(), limits_};
   solver_->solve(problem, false);
-  report(problem, size / largest, 1);
+  report(problem, size, 1 / largest, 1);
   return answer_;
 }
 
@@ -73,13 +73,13 @@ const GripAnswer& Grasp::load_factor(const Vector6& load, const Vector6& step, s
   set_limits(limits, size);
   GripProblem problem{scaled_.get(), Objective::load_factor, w / size, w1 / size, limits_};
   solver_->solve(problem, false);
-  report(problem, size, 0);
+  report(problem, size, 1 / size, 0);
   return answer_;
 }
 
 const GripAnswer& Grasp::force_closure() {
   Vector6 load = Vector6::Zero();
-  for (const ScaledGrasp::Part& part : scaled_->parts()) load -= part.element.N();
+  for (const ScaledGrasp::Part& part : scaled_->parts()) load += part.element.N();
   std::ranges::fill(limits_, 1);
   // Where the normals balance by themselves unit forces are the proof.
   ask({scaled_.get(), Objective::max_force, load}, settings_.force_limit, false);
@@ -97,15 +97,14 @@ void Grasp::ask(GripProblem problem, double limit, bool warm) {
   problem.load /= size;
   problem.limits = limits_;
   solver_->solve(problem, warm);
-  report(problem, size, limit * size);
+  report(problem, size, 1, limit * size);
 }
 
-// `scale` makes the value of the problem one of the question; `limit` is in its units.
-void Grasp::report(const GripProblem& problem, double scale, double limit) {
+// The load of the problem is 1 / size of that of the question, its twist 1 / pace; `limit` is in the units of the value.
+void Grasp::report(const GripProblem& problem, double size, double pace, double limit) {
   const Bracket& bracket = solver_->bracket();
   const bool factor = problem.objective == Objective::load_factor;
-  const double value_scale = factor ? 1 : scale;
-  const double force_scale = factor || problem.limits.empty() ? scale : scale;
+  const double value_scale = size * pace;
   answer_.lower = value_scale * bracket.lower();
   answer_.upper = value_scale * bracket.upper();
   answer_.charged = bracket.charged();
@@ -120,22 +119,21 @@ void Grasp::report(const GripProblem& problem, double scale, double limit) {
     answer_.value = std::isfinite(answer_.upper) ? (answer_.lower + answer_.upper) / 2 : answer_.lower;
   }
   const Vector6& W = bracket.twist();
-  answer_.escape_twist = scaled_->twist(W) / (factor ? scale : 1);
+  answer_.escape_twist = pace * scaled_->twist(W);
   std::ranges::fill(answer_.contacts, ContactAnswer{});
   for (std::size_t i = 0; i < scaled_->parts().size(); ++i) {
     const ScaledGrasp::Part& part = scaled_->parts()[i];
     const PartForce& x = bracket.forces()[i];
     ContactAnswer& a = answer_.contacts[part.contact];
-    a.normal_force += force_scale * x.force;
-    a.friction += force_scale * Vector3(x.friction[0], x.friction[1], scaled_->length() * x.friction[2]);
+    a.normal_force += size * x.force;
+    a.friction += size * Vector3(x.friction[0], x.friction[1], scaled_->length() * x.friction[2]);
     if (x.force > 0) a.state = std::max(a.state, x.on_surface ? ContactState::slips : ContactState::sticks);
     a.at_limit = solver_->polish().is_capped(part.contact);
-    const double rho = part.element.resistance(W, 0).value;
+    const double rho = pace * part.element.resistance(W, 0).value;
     a.resistance = i > 0 && scaled_->parts()[i - 1].contact == part.contact ? std::max(a.resistance, rho) : rho;
   }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     answer_.contacts[i].sliding = contacts_[i].sliding(answer_.escape_twist);
-    if (factor) answer_.contacts[i].resistance /= scale;
   }
 }
 

@@ -74,14 +74,14 @@ class Grasp {
   // From the solution of the last question of the same kind, for loads that change little; never worse than from nothing.
   const GripAnswer& next_least_grip(const Vector6& load);
 
-  // Whether every load can be held. The answer is that of the load sum n_i, (r_i x n_i): with forces that carry it and
+  // Whether every load can be held. The answer is that of the load -sum (n_i, r_i x n_i): with forces that carry it and
   // unit normal forces added every contact is strictly inside its cone and the object is in balance; if it cannot be
   // held, the escape twist opens the grasp.
   const GripAnswer& force_closure();
 
  private:
   void ask(GripProblem problem, double limit, bool warm);
-  void report(const GripProblem& problem, double scale, double limit);
+  void report(const GripProblem& problem, double size, double pace, double limit);
   Vector6 scaled(const char* name, const Vector6& load) const;
   void set_limits(std::span<const double> limits, double scale);
 
