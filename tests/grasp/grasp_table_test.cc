@@ -2,6 +2,7 @@
 //
 // Next to the cone that is not closed the twist grows like 1.1 / delta^2 and rounding of the balance with it: the bracket
 // is as wide as 50 eps |W|; at delta = 1e-6 double decides nothing.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -122,6 +123,24 @@ TEST(GraspTable, ForceClosure) {
     const Verdict expected = c["result"]["force_closure"] ? Verdict::holds : Verdict::cannot_hold;
     EXPECT_EQ(grasp.force_closure().verdict, expected) << id(c);
   }
+}
+
+// Six frictionless contacts of rank 6 leave a way out; a seventh closes it.
+TEST(GraspTable, FormClosureNeedsASeventhContact) {
+  const auto six = contacts("form_closure_6");
+  Grasp open(six), closed(contacts("form_closure_7"));
+  EXPECT_EQ(closed.force_closure().verdict, Verdict::holds);
+  const GripAnswer& a = open.force_closure();
+  EXPECT_EQ(a.verdict, Verdict::cannot_hold);
+  // The way out: no contact is pushed, one is left.
+  double least = 0;
+  for (std::size_t i = 0; i < six.size(); ++i) {
+    const Vector3 v = a.escape_twist.head<3>(), omega = a.escape_twist.tail<3>();
+    const double into = six[i].normal().dot(v + omega.cross(six[i].position()));
+    EXPECT_LE(into, 1e-12 * a.escape_twist.norm());
+    least = std::min(least, into);
+  }
+  EXPECT_LT(least, -1e-3 * a.escape_twist.norm());
 }
 
 TEST(GraspTable, InertialLoad) {
