@@ -4,8 +4,8 @@
 //
 // States on the Hertz disc have |F| / |M| per radius log-uniform in 1e-3 .. 1e3 and a stiffness ratio k a^2 / k_r
 // log-uniform in 0.1 .. 10. "mixed": overshoot g / L uniform in 0.5 .. 3, "slip" in 1 .. 11, "inside" the same with the
-// pole of the slip inside, "stick" in 0 .. 1. N is the number of trials that must not fail, and a fiftieth of it a patch:
-// overshoot 1e-12 .. 1e9, stiffness ratio 1e-6 .. 1e6. --short repeats less.
+// pole of the slip inside, "stick" in 0 .. 1. N is the number of trials that must not fail, and a fiftieth of it a
+// patch: overshoot 1e-12 .. 1e9, stiffness ratio 1e-6 .. 1e6. --short repeats less.
 #include <fmt/ostream.h>
 
 #include <Eigen/Geometry>

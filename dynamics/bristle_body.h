@@ -2,10 +2,11 @@
 //
 //     M v' = f - s,      kappa' = v - e,      s = K kappa + D kappa' in L B,      e in the normal cone of L B at s
 //
-// (the half-degree-of-freedom model of the seed, 4.62 with its signs corrected: f the load, s what the bristles carry, e
-// the slip rate; all about the centre of mass). K = diag(k, k, k_r) and kappa are kept in axes of space, in which no
+// (the half-degree-of-freedom model of the seed, 4.62 with its signs corrected: f the load, s what the bristles carry,
+// e the slip rate; all about the centre of mass). K = diag(k, k, k_r) and kappa are kept in axes of space, in which no
 // bristle drifts for the turning of its axes; B turns with the body, by the angle that a stage is predicted to end at
-// (a round patch under the centre does not care). An implicit stage of length tau is one return mapping: with K' = K + D / tau,
+// (a round patch under the centre does not care). An implicit stage of length tau is one return mapping: with
+// K' = K + D / tau,
 //
 //     s = closest wrench to  s* = K_e [K'^-1 K kappa_0 + tau v_0 + tau^2 M^-1 f],     K_e = (K'^-1 + tau^2 M^-1)^-1
 //

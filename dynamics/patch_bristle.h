@@ -6,14 +6,14 @@
 //     corrected   dkappa/dt = (1 - beta) v - beta r G^-1 N (K kappa + U^T t_S),    r = |U v|_G / |t_S|_{G^-1}
 //     printed     dkappa/dt = (1 - beta [1 - U^-1 N U]) v - beta (|U v| / |t_S|) U^-1 N K kappa    (4.63b, 4.64b)
 //
-// with v the twist of the body and t_S Stribeck's wrench in the mean at U v, U = [1 0 kappa_2; 0 1 -kappa_1; 0 0 1], all
-// in axes that turn with the zone; N = diag(nu_0), G = diag(1, 1, L^2); beta rises from 0 to 1 as a smooth step where
-// d = g(K kappa) / mu(v_m) F_N goes from `elastic_share` to 1, and is 0 while the springs relax.
+// with v the twist of the body and t_S Stribeck's wrench in the mean at U v, U = [1 0 kappa_2; 0 1 -kappa_1; 0 0 1],
+// all in axes that turn with the zone; N = diag(nu_0), G = diag(1, 1, L^2); beta rises from 0 to 1 as a smooth step
+// where d = g(K kappa) / mu(v_m) F_N goes from `elastic_share` to 1, and is 0 while the springs relax.
 //
 // Sliding steadily the corrected form tends to t = t_S. The printed one pulls kappa towards the twist instead of the
-// wrench: at a pole on the rim of a Hertz disc 31 degrees off, up to 1.325 times the limit; its norms add m/s and rad/s,
-// so that its answer depends on the unit of length; its springs relax where kappa . v < 0, which does, too. It is here to
-// be compared with. In one direction both are (4.38b).
+// wrench: at a pole on the rim of a Hertz disc 31 degrees off, up to 1.325 times the limit; its norms add m/s and
+// rad/s, so that its answer depends on the unit of length; its springs relax where kappa . v < 0, which does, too. It
+// is here to be compared with. In one direction both are (4.38b).
 //
 // Length   L = M_0 / F_N, M_0 the moment at the pole in the centroid, keeps dissipation positive also for several
 //          patches far apart, which the area radius a_K does not: down to -4.5 times the true power for two of them.

@@ -14,9 +14,10 @@
 // Units    trial [N], [N], [N m] about the origin of the patch's frame, in which K is given, too.
 // Error    carried: what the last step and rounding leave, doubled: some 1e-15 of L times the condition of K.
 //          tests/dynamics/return_mapping_test.cc.
-// Cost     6.6 (disc) to 9.0 (two discs) evaluations of D, its gradient and Hessian in the mean over overshoot from 1e-9
-//          to 1e3 and metrics of a condition up to 1e4.
-// Throws   std::invalid_argument as LimitSurface (a single point load: point_return_mapping.h); nothing afterwards.
+// Cost     6.6 (disc) to 9.0 (two discs) evaluations of D, its gradient and Hessian in the mean over overshoot from
+//          1e-9 to 1e3 and metrics of a condition up to 1e4.
+// Throws   std::invalid_argument as LimitSurface, also of a single point load (there s = L s* / |s*|); nothing
+//          afterwards.
 // Fails    where the slip turns about a point load (several.h) Newton's method has no Hessian: the error says so.
 #pragma once
 

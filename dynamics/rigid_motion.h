@@ -3,13 +3,13 @@
 //     stick   v = 0 while g(-f(t)) <= mu_s F_N(t)                                        (friction/limit_surface)
 //     slip    M v' = f(t) + t(v),    t(v) = -mu(v_m) F_N grad D(v)                                (friction/law.h)
 //
-// Near rest the direction of v turns ever faster, and no step of t is short enough. With p = M^(1/2) v = rho n, |n| = 1,
-// and the stretched time ds = dt / rho
+// Near rest the direction of v turns ever faster, and no step of t is short enough. With
+// p = M^(1/2) v = rho n, |n| = 1, and the stretched time ds = dt / rho
 //
 //     dn/ds = G - n (n . G),   d ln rho / ds = n . G,   dt/ds = rho,   dx/ds = rho v,       G = M^(-1/2) (f + t)
 //
-// is regular through the stop: rho falls exponentially, t converges, n tends to the pole of the stop, for a puck the root
-// of f(x) = q x m(x).
+// is regular through the stop: rho falls exponentially, t converges, n tends to the pole of the stop, for a puck the
+// root of f(x) = q x m(x).
 //
 // Patch        under the centre of mass; turns with the body.
 // Break-away   the root of g(f(t)) - mu_s F_N(t), bracketed by samples `longest_step` apart. At a jump of the load the
@@ -21,8 +21,9 @@
 // Load         f(t) [N], [N], [N m] in axes of space about the centre of mass, continuous but for `jumps`, which are
 //              increasing. F_N(t) > 0 likewise.
 // Units        m [kg], J [kg m^2], t [s].
-// Error        of times and places: tolerance and start twice as wide (a hundredfold, twofold) tell; `error` of each event.
-//              Stop time and distance of pucks to 1e-13 at the tolerance 1e-13; tests/dynamics/rigid_motion_test.cc.
+// Error        of times and places: tolerance and start twice as wide (a hundredfold, twofold) tell; `error` of each
+//              event. Stop time and distance of pucks to 1e-13 at the tolerance 1e-13;
+//              tests/dynamics/rigid_motion_test.cc.
 // Throws       std::invalid_argument unless m, J > 0, the settings are in range and times increase; std::runtime_error
 //              as trajectory.h.
 #pragma once

@@ -1,8 +1,8 @@
 // Return mapping of a round patch about its own centre, K = diag(k, k, k_r): one equation in one variable.
 //
 // Force and moment per L (and a) at the pole distance x = r_M / a are f(x) and m(x), m' = -x f'. With F and M those of
-// the trial and rho = k a^2 / k_r the closest point (returned.h) is where the normal (x, 1) of the limit curve points at
-// the trial,
+// the trial and rho = k a^2 / k_r the closest point (returned.h) is where the normal (x, 1) of the limit curve points
+// at the trial,
 //
 //     r(x) = F - f(x) - rho x [M - m(x)] = 0,        u = 1/x beyond the rim:  u (F - f) - rho (M - m) = 0
 //
@@ -11,8 +11,8 @@
 // lambda is the distance along the normal: negative for every x if the trial is inside, so that its sign decides
 // between stick and slip, and never the difference s* - s, which has no digits left for small overshoot.
 //
-// Newton's method from the closest point of the ellipsoid with the same axes. r falls with x where F >= f and M >= m; on
-// the other side of either the sign of the missing part says where the root is.
+// Newton's method from the closest point of the ellipsoid with the same axes. r falls with x where F >= f and M >= m;
+// on the other side of either the sign of the missing part says where the root is.
 //
 // Domain   every trial, every limit L >= 0 (with L = 0 all of it slips); k, k_r > 0. Any RoundPatch.
 // Units    k [N/m], k_r [N m].
@@ -136,8 +136,8 @@ class RoundReturnMapping {
     return least * (1 - 1e-3);
   }
 
-  // V and W of the closest point of the ellipsoid f^2 + (m / m_0)^2 = 1: f = F / (1 + t), m = M / (1 + q t), one step of
-  // Newton's method from t = 0 for 1 / sqrt(f^2 + (m / m_0)^2), which is almost straight.
+  // V and W of the closest point of the ellipsoid f^2 + (m / m_0)^2 = 1: f = F / (1 + t), m = M / (1 + q t), one step
+  // of Newton's method from t = 0 for 1 / sqrt(f^2 + (m / m_0)^2), which is almost straight.
   std::pair<double, double> start(const Search& s) const noexcept {
     const double n2 = s.M * s.M / (centre_moment_ * centre_moment_), F2 = s.F * s.F, N = F2 + n2;
     const double e2rho = centre_moment_ * centre_moment_ * s.rho;
