@@ -98,7 +98,9 @@ TEST(GraspLaws, TheEscapeTwistIsTheSensitivityToTheLoad) {
     EXPECT_NEAR((up - down) / 2, W.dot(dw), 1e-8 * s);
     ++compared;
   }
-  EXPECT_GT(compared, 10);
+  if (testing::all_cases()) {
+    EXPECT_GT(compared, 10);
+  }
 }
 
 TEST(GraspLaws, ForcesBalanceAndAreAdmissible) {
