@@ -19,6 +19,8 @@
 #include <vector>
 
 #include <patchgrip/bench/command_line.h>
+#include <patchgrip/bench/keep.h>
+#include <patchgrip/bench/random.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/limit_surface/fast_hertz_gauge.h>
 #include <patchgrip/friction/limit_surface/hertz_gauge.h>
@@ -33,26 +35,19 @@
 namespace {
 
 using namespace patchgrip::friction;
+using patchgrip::bench::keep;
+using patchgrip::bench::uniform;
 
 struct Options {
   int loads = 20000;
   int repetitions = 60;
 };
 
-template <class Value>
-void keep(const Value& value) {
-  asm volatile("" : : "g"(&value) : "memory");
-}
-
 // CPU time of one pass, ns per load.
 double timed(const std::vector<Wrench>& loads, const std::function<void(const std::vector<Wrench>&)>& pass) {
   const std::clock_t start = std::clock();
   pass(loads);
   return 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / static_cast<double>(loads.size());
-}
-
-double uniform(std::mt19937_64& engine, double lo, double hi) {
-  return std::uniform_real_distribution<double>(lo, hi)(engine);
 }
 
 struct Method {

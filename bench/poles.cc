@@ -6,16 +6,10 @@
 #include <numbers>
 #include <random>
 
+#include <patchgrip/bench/random.h>
+
 namespace patchgrip::bench {
 namespace {
-
-double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution(from, to)(random);
-}
-
-double log_uniform(std::mt19937_64& random, double from, double to) {
-  return std::exp(uniform(random, std::log(from), std::log(to)));
-}
 
 // Poles at `distance(random)` radii from the centre, in any direction.
 template <class Distance>

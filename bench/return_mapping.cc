@@ -20,6 +20,8 @@
 #include <vector>
 
 #include <patchgrip/bench/command_line.h>
+#include <patchgrip/bench/keep.h>
+#include <patchgrip/bench/random.h>
 #include <patchgrip/dynamics/return_mapping.h>
 #include <patchgrip/dynamics/round_return_mapping.h>
 #include <patchgrip/friction/hertz_disc.h>
@@ -35,19 +37,9 @@ namespace {
 
 using namespace patchgrip::dynamics;
 using namespace patchgrip::friction;
-
-double uniform(std::mt19937_64& engine, double lo, double hi) {
-  return std::uniform_real_distribution<double>(lo, hi)(engine);
-}
-
-double log_uniform(std::mt19937_64& engine, double lo, double hi) {
-  return lo * std::exp(uniform(engine, 0, std::log(hi / lo)));
-}
-
-template <class Value>
-void keep(const Value& value) {
-  asm volatile("" : : "g"(&value) : "memory");
-}
+using patchgrip::bench::keep;
+using patchgrip::bench::log_uniform;
+using patchgrip::bench::uniform;
 
 // Least CPU time of one of `all` [ns].
 template <class Item, class Function>

@@ -6,19 +6,13 @@
 #include <numbers>
 #include <utility>
 
+#include <patchgrip/bench/random.h>
+
 namespace patchgrip::bench {
 namespace {
 
 using friction::Point;
 using std::numbers::pi, std::numbers::sqrt3;
-
-double uniform(std::mt19937_64& random, double from, double to) {
-  return std::uniform_real_distribution(from, to)(random);
-}
-
-double log_uniform(std::mt19937_64& random, double from, double to) {
-  return std::exp(uniform(random, std::log(from), std::log(to)));
-}
 
 Box joined(const Box& a, const Box& b) {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
