@@ -24,8 +24,8 @@
 // Limit        L = mu(v) F_N at the end of each stage: `limit(t, v)` [N] is called with the stage's time and a
 //              prediction of its twist (Vector3); a falling mu(v) taken implicitly could have several solutions.
 // Units        m [kg], J [kg m^2], K as round_return_mapping.h, D [N s/m], [N m s]; f [N], [N], [N m]; t, h [s].
-// Throws       std::invalid_argument unless m, J > 0, K > 0 or infinite, D >= 0 (0 for the rigid patch). step() passes
-//              on what `load` and `limit` throw; where either is not finite so is the result.
+// Throws       std::invalid_argument unless m, J, h > 0, K > 0 or infinite, D >= 0 (0 for the rigid patch). step()
+//              passes on what `load` and `limit` throw; where either is not finite so is the result.
 #pragma once
 
 #include <array>
@@ -85,6 +85,7 @@ class BristleBody {
   template <class Load, class Limit>
   StepResult step(const PlanarState& from, double t, double h, Method method, const Load& load,
                   const Limit& limit) const {
+    contact::require_positive("step h", h);
     const Vector3 kappa = from.deflection();
     if (method == Method::implicit_euler) {
       const Vector3 end = from.twist + h * from.acceleration;

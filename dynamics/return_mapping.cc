@@ -162,7 +162,7 @@ Returned return_mapping(const friction::PatchView& patch, const friction::Pressu
                         const ReturnFrame& frame, const friction::GaugeSettings& settings, const Wrench& trial,
                         double limit, const BristleMetric& metric) noexcept {
   const Vector3 t = vector(trial);
-  if (!t.allFinite() || !std::isfinite(limit)) {
+  if (!t.allFinite() || !(limit >= 0 && limit < std::numeric_limits<double>::infinity())) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), none = std::numeric_limits<double>::infinity();
     return {{{nan, nan, nan}, none, none}, {nan, nan, nan}, true, 0};
   }

@@ -17,7 +17,8 @@
 // Cost     6.6 (disc) to 9.0 (two discs) evaluations of D, its gradient and Hessian in the mean over overshoot from
 //          1e-9 to 1e3 and metrics of a condition up to 1e4.
 // Throws   std::invalid_argument as LimitSurface, also of a single point load (there s = L s* / |s*|); nothing
-//          afterwards.
+//          afterwards: a trial or a limit that is not finite, or a negative limit, gives not-a-number and an infinite
+//          error.
 // Fails    where the slip turns about a point load (several.h) Newton's method has no Hessian: the error says so.
 #pragma once
 

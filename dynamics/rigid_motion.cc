@@ -31,6 +31,13 @@ Vector3 turned(const Vector3& v, double angle) {
   return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
 }
 
+void require_increasing(const char* name, const std::vector<double>& times) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    contact::require_finite(name, times[i]);
+    if (i > 0 && times[i] < times[i - 1]) contact::refuse(name, times[i], "must not come before the one before it");
+  }
+}
+
 class Motion {
  public:
   Motion(const RigidPatchView& patch, const Vector3& mass, const friction::Law& law, const PlanarLoad& load,
@@ -58,9 +65,15 @@ class Motion {
   }
 
  private:
-  double limit(double t) const { return law_.mu_static * load_.normal_force(t); }
+  Vector3 force(double t) const {
+    const Vector3 f = load_.force(t);
+    for (const double x : f) contact::require_finite("load", x);
+    return f;
+  }
+  double normal_force(double t) const { return contact::require_non_negative("normal_force", load_.normal_force(t)); }
+  double limit(double t) const { return law_.mu_static * normal_force(t); }
 
-  Gauge gauge(double t) const { return patch_.gauge(wrench(turned(load_.force(t), -state_.place[2]))); }
+  Gauge gauge(double t) const { return patch_.gauge(wrench(turned(force(t), -state_.place[2]))); }
   double excess(double t) const { return gauge(t).value - limit(t); }
 
   // The end of the smooth piece that t lies in.
@@ -108,7 +121,7 @@ class Motion {
 
   // The load is beyond the limit: a finite acceleration.
   void start_at_jump() {
-    const Vector3 f = turned(load_.force(t_), -state_.place[2]);
+    const Vector3 f = turned(force(t_), -state_.place[2]);
     const Returned r = patch_.closest(wrench(f), limit(t_), BristleMetric(Matrix3(mass_.asDiagonal())));
     const Vector3 a = vector(r.slip);
     note(SlipEvent::Kind::break_away, a);
@@ -135,9 +148,8 @@ class Motion {
     ++evaluations_;
     const Vector3 own = turned(v, -angle);
     const Twist u{own[0], own[1], own[2]};
-    const Wrench r =
-        friction::friction_wrench(law_, load_.normal_force(t), patch_.moments, patch_.gradient(u), u).value;
-    return (load_.force(t) + turned({r.fx, r.fy, r.m}, angle)).cwiseQuotient(root_);
+    const Wrench r = friction::friction_wrench(law_, normal_force(t), patch_.moments, patch_.gradient(u), u).value;
+    return (force(t) + turned({r.fx, r.fy, r.m}, angle)).cwiseQuotient(root_);
   }
 
   void slip() {
@@ -228,7 +240,12 @@ RigidMotionResult rigid_motion(const RigidPatchView& patch, const Vector3& mass,
                                const RigidMotionSettings& settings, const std::vector<double>& samples,
                                const Watch& watch) {
   settings.check();
-  contact::require_in("end", t1, t0, std::numeric_limits<double>::max());
+  contact::require_in("end", t1, contact::require_finite("start", t0), std::numeric_limits<double>::max());
+  require_increasing("jumps", load.jumps);
+  require_increasing("samples", samples);
+  for (const Vector3& v : {from.place, from.twist}) {
+    for (const double x : v) contact::require_finite("state", x);
+  }
   RigidMotionResult r = Motion(patch, mass, law, load, settings).run(from, t0, t1, samples, watch);
   RigidMotionSettings rough = settings;
   rough.tolerance = std::min(1e-3, 100 * settings.tolerance);

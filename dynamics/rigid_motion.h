@@ -19,13 +19,13 @@
 //              time in which the load changes by the limit.
 // Stop         rho down to 1e-17 of its largest since break-away; then again stick, or at once another start.
 // Load         f(t) [N], [N], [N m] in axes of space about the centre of mass, continuous but for `jumps`, which are
-//              increasing. F_N(t) > 0 likewise.
+//              increasing. F_N(t) >= 0 likewise.
 // Units        m [kg], J [kg m^2], t [s].
 // Error        of times and places: tolerance and start twice as wide (a hundredfold, twofold) tell; `error` of each
 //              event. Stop time and distance of pucks to 1e-13 at the tolerance 1e-13;
 //              tests/dynamics/rigid_motion_test.cc.
-// Throws       std::invalid_argument unless m, J > 0, the settings are in range and times increase; std::runtime_error
-//              as trajectory.h.
+// Throws       std::invalid_argument unless m, J > 0, the settings are in range, times do not decrease, the start is
+//              finite, and the load, too, with F_N >= 0, wherever it is asked for; std::runtime_error as trajectory.h.
 #pragma once
 
 #include <functional>

@@ -20,8 +20,9 @@
 //          sqrt(rho) and of the moment times a / sqrt(rho) where those are more: the closest point is known as well as
 //          that in the norm of K^-1. tests/dynamics/round_return_mapping_test.cc, also for overshoot from 1e-12 to 1e9
 //          and rho from 1e-6 to 1e6.
-// Cost     bench/dynamics.
-// Throws   nothing. A trial or a limit that is not finite gives not-a-number and an infinite error.
+// Cost     2.7 evaluations of f, m and f' in the mean, 12 at most (bench/return_mapping.cc).
+// Throws   nothing. A trial or a limit that is not finite, or a negative limit, gives not-a-number and an infinite
+//          error.
 #pragma once
 
 #include <algorithm>
@@ -58,8 +59,9 @@ class RoundReturnMapping {
     const double a = patch_.radius();
     const double size = length_of(trial);
     const double F = size / limit, M = std::fabs(trial.m) / (a * limit), n = M / centre_moment_;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (!(limit > 0 && limit < infinity && F + M < infinity)) return not_finite();
     if (F * F + n * n <= inner_) return {{trial, 0, 0}, {}, false, 0};
-    if (!(F + M < std::numeric_limits<double>::infinity())) return not_finite();
 
     Search s{F, M, K.k * a * a / K.k_r};
     if (F <= rim_force_ || (M > rim_moment_ && F - rim_force_ <= s.rho * (M - rim_moment_))) {

@@ -30,8 +30,8 @@ Hessian hessian_beside(const P& patch, const Twist& u) noexcept {
 }
 
 struct ReciprocalSpeeds {
-  double mean;      // of 1 / |u_P|
-  double arm_mean;  // of q / |u_P|, at most
+  double mean;      // of 1 / |u_P| [s/m]
+  double arm_mean;  // of q / |u_P|, at most [s]
 };
 
 template <Patch P>

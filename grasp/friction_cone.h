@@ -12,7 +12,7 @@
 //
 // The soft models need a length e: D(0, 0, 1) of the patch that they stand for, 3 pi a / 16 for a Hertz disc, 2 a / 3
 // under uniform pressure, pi a / 4 for a flat punch. For pressures symmetric about their centre the linear model then
-// lies inside the exact cone; the elliptic one promises 5 to 8 % too much (bench/grasp).
+// lies inside the exact cone; the elliptic one promises too much.
 //
 // Units    e [m]; mu [-].
 // Throws   std::invalid_argument unless mu >= 0 is finite, e is positive and finite, and the patch bears a moment about

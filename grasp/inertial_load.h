@@ -7,7 +7,7 @@
 // 0.1 m off the axis pulls with 10 N.) v, v' are velocity of the origin and its rate of change as seen in the frame.
 //
 // Units    m [kg], r_S [m], J [kg m^2] about the origin (not about the centre of mass), g [m/s^2].
-// Error    rounding of the sums: a few units of 2^-53 of the largest term; tests/grasp/inertial_load_test.cc.
+// Error    rounding of the sums: a few units of 2^-53 of the largest term; tests/grasp/grasp_table_test.cc.
 // Throws   std::invalid_argument unless the mass is not negative and all is finite.
 #pragma once
 

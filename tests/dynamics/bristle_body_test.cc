@@ -199,6 +199,11 @@ TEST(BristleBody, BadInputIsRefused) {
         Parameters{1, 1, {1, 1}, -1}, Parameters{1, 1, {infinity, infinity}, 1}, Parameters{std::nan(""), 1}}) {
     EXPECT_THROW(BristleBody(disc, p), std::invalid_argument);
   }
+  const BristleBody body(disc, {1, 1e-4, {1e4, 1}});
+  for (const double h : {0., -1e-3, std::nan("")}) {
+    EXPECT_THROW(body.step({}, 0, h, Method::sdirk2, no_load, [](double, const Vector3&) { return 1.; }),
+                 std::invalid_argument);
+  }
 }
 
 }  // namespace

@@ -166,6 +166,9 @@ TEST(ReturnMapping, BadInputIsRefused) {
   const Returned r = mapping({std::nan(""), 0, 0}, 1, BristleMetric::diagonal(1, 1, 1));
   EXPECT_TRUE(std::isnan(r.wrench.value.fx));
   EXPECT_TRUE(std::isinf(r.wrench.force_error));
+  for (const double limit : {std::nan(""), HUGE_VAL, -1.}) {
+    EXPECT_TRUE(std::isnan(mapping({1e-3, 0, 0}, limit, BristleMetric::diagonal(1, 1, 1)).wrench.value.fx)) << limit;
+  }
 }
 
 }  // namespace

@@ -219,6 +219,15 @@ TEST(RigidMotion, BadInputIsRefused) {
   EXPECT_THROW(motion(load, {}, 0, 1, {.tolerance = 1}), std::invalid_argument);
   EXPECT_THROW(motion(load, {}, 0, 1, {.longest_step = 0}), std::invalid_argument);
   EXPECT_THROW(motion(load, {}, 0, 1, {.start = 1}), std::invalid_argument);
+  PlanarState lost;
+  lost.place[1] = std::nan("");
+  EXPECT_THROW(motion(load, lost, 0, 1), std::invalid_argument);
+  EXPECT_THROW(motion(load, {}, 0, 1, {}, {0.5, 0.4}), std::invalid_argument);
+  const auto none = [](double) { return Vector3(Vector3::Zero()); };
+  EXPECT_THROW(motion(pushed(none, 10, {0.5, 0.4}), {}, 0, 1), std::invalid_argument);
+  EXPECT_THROW(motion(pushed(none, -10), {}, 0, 1), std::invalid_argument);
+  const auto broken = [](double t) { return Vector3(t > 0.5 ? std::nan("") : 0, 0, 0); };
+  EXPECT_THROW(motion(pushed(broken), {}, 0, 1), std::invalid_argument);
 }
 
 }  // namespace

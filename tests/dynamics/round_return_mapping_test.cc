@@ -175,7 +175,9 @@ TEST(RoundReturnMapping, WhatIsNotFiniteIsNotANumber) {
     EXPECT_TRUE(std::isnan(r.wrench.value.fx));
     EXPECT_EQ(r.wrench.force_error, infinity);
   }
-  EXPECT_TRUE(std::isnan(mapping({1, 0, 0}, nan, {1e4, 2}).wrench.value.fx));
+  for (const double limit : {nan, infinity, -1.}) {
+    EXPECT_TRUE(std::isnan(mapping({1e-3, 0, 0}, limit, {1e4, 2}).wrench.value.fx)) << limit;
+  }
 }
 
 }  // namespace
