@@ -57,7 +57,7 @@ def main():
     panels[0].set_xlim(2, 1e6)
     panels[0].set_ylim(1e-17, 3)
     panels[COLUMNS].set_ylabel("worst relative error of the gauge [-]")
-    panels[-2].text(0.04, 2 * ROUNDING, r"rounding, $2^{-53}$", color=GREY, ha="left", va="bottom", fontsize=7,
+    panels[-2].text(0.04, 2 * ROUNDING, "rounding", color=GREY, ha="left", va="bottom", fontsize=7,
                     transform=panels[-2].get_yaxis_transform())
     draw_errors(figure.add_subplot(grid[lines, :]), rows)
     figure.get_layout_engine().set(rect=(0, 0.12, 1, 0.88))
