@@ -36,6 +36,7 @@ class Element {
 
   Kind kind() const noexcept { return kind_; }
   double mu() const noexcept { return mu_; }
+  double moment_length() const noexcept { return e_; }
   const Matrix64& G() const noexcept { return G_; }
   auto N() const noexcept { return G_.col(0); }
   auto T() const noexcept { return G_.rightCols<3>(); }

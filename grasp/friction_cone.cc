@@ -27,4 +27,11 @@ FrictionCone FrictionCone::patch(double mu, friction::AnyPatch patch) {
   return cone;
 }
 
+FrictionCone FrictionCone::with_mu(double mu) const {
+  FrictionCone other = *this;
+  require_non_negative("mu", mu);
+  if (model_ != Model::frictionless) other.mu_ = mu;
+  return other;
+}
+
 }  // namespace patchgrip::grasp

@@ -36,6 +36,9 @@ class FrictionCone {
   static FrictionCone soft_linear(double mu, double e);
   static FrictionCone patch(double mu, friction::AnyPatch patch);
 
+  // The same with another coefficient; a frictionless contact stays one.
+  FrictionCone with_mu(double mu) const;
+
   Model model() const noexcept { return model_; }
   bool has_friction() const noexcept { return mu_ > 0; }
   double mu() const noexcept { return mu_; }

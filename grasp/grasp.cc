@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -10,8 +11,7 @@
 namespace patchgrip::grasp {
 namespace {
 
-// The largest share of the bound that a charge of first order may be.
-constexpr double largest_charge = 1e-3;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double power_of_two_near(double x) { return x > 0 ? std::exp2(std::round(std::log2(x))) : 1; }
 
@@ -20,14 +20,13 @@ double power_of_two_near(double x) { return x > 0 ? std::exp2(std::round(std::lo
 Grasp::Grasp(std::vector<Contact> contacts, const GripSettings& settings)
     : contacts_(std::move(contacts)), settings_(settings), limits_(contacts_.size(), 1) {
   settings_.check();
-  scaled_ = std::make_unique<const ScaledGrasp>(contacts_);
-  solver_ = std::make_unique<GripSolver>(*scaled_, settings_);
+  own_ = std::make_unique<Workspace>(contacts_, settings_, std::nullopt);
   answer_.contacts.resize(contacts_.size());
 }
 
 Vector6 Grasp::scaled(const char* name, const Vector6& load) const {
   for (const double x : load) contact::require_finite(name, x);
-  return scaled_->scaled_load(load);
+  return own_->scaled.scaled_load(load);
 }
 
 void Grasp::set_limits(std::span<const double> limits, double scale) {
@@ -38,18 +37,18 @@ void Grasp::set_limits(std::span<const double> limits, double scale) {
 
 const GripAnswer& Grasp::least_grip(const Vector6& load) {
   std::ranges::fill(limits_, 1);
-  ask({scaled_.get(), Objective::max_force, scaled("load", load)}, settings_.force_limit, false);
+  ask({&own_->scaled, Objective::max_force, scaled("load", load)}, settings_.force_limit, false);
   return answer_;
 }
 
 const GripAnswer& Grasp::next_least_grip(const Vector6& load) {
   std::ranges::fill(limits_, 1);
-  ask({scaled_.get(), Objective::max_force, scaled("load", load)}, settings_.force_limit, true);
+  ask({&own_->scaled, Objective::max_force, scaled("load", load)}, settings_.force_limit, true);
   return answer_;
 }
 
 const GripAnswer& Grasp::least_total_grip(const Vector6& load) {
-  ask({scaled_.get(), Objective::total_force, scaled("load", load)}, settings_.force_limit, false);
+  ask({&own_->scaled, Objective::total_force, scaled("load", load)}, settings_.force_limit, false);
   return answer_;
 }
 
@@ -59,9 +58,9 @@ const GripAnswer& Grasp::holds_within(const Vector6& load, std::span<const doubl
   const double largest = *std::ranges::max_element(limits);
   set_limits(limits, largest);
   const double size = power_of_two_near(w.norm());
-  GripProblem problem{scaled_.get(), Objective::max_force, w / size, Vector6::Zero(), limits_};
-  solver_->solve(problem, false);
-  report(problem, size, 1 / largest, 1);
+  GripProblem problem{&own_->scaled, Objective::max_force, w / size, Vector6::Zero(), limits_};
+  own_->solver.solve(problem, false);
+  report(*own_, problem, size, 1 / largest, 1);
   return answer_;
 }
 
@@ -71,23 +70,23 @@ const GripAnswer& Grasp::load_factor(const Vector6& load, const Vector6& step, s
   contact::require_positive("size of the step", w1.norm());
   const double size = power_of_two_near(w1.norm());
   set_limits(limits, size);
-  GripProblem problem{scaled_.get(), Objective::load_factor, w / size, w1 / size, limits_};
-  solver_->solve(problem, false);
-  report(problem, size, 1 / size, 0);
+  GripProblem problem{&own_->scaled, Objective::load_factor, w / size, w1 / size, limits_};
+  own_->solver.solve(problem, false);
+  report(*own_, problem, size, 1 / size, 0);
   return answer_;
 }
 
 const GripAnswer& Grasp::force_closure() {
   Vector6 load = Vector6::Zero();
-  for (const ScaledGrasp::Part& part : scaled_->parts()) load += part.element.N();
+  for (const ScaledGrasp::Part& part : own_->scaled.parts()) load += part.element.N();
   std::ranges::fill(limits_, 1);
   // Where the normals balance by themselves unit forces are the proof.
-  ask({scaled_.get(), Objective::max_force, load}, settings_.force_limit, false);
-  if (scaled_->rank() < 6) {
+  ask({&own_->scaled, Objective::max_force, load}, settings_.force_limit, false);
+  if (own_->scaled.rank() < 6) {
     answer_.verdict = Verdict::cannot_hold;
     Eigen::Index axis;
-    scaled_->unresisted().diagonal().maxCoeff(&axis);
-    answer_.escape_twist = scaled_->twist(scaled_->unresisted().col(axis));
+    own_->scaled.unresisted().diagonal().maxCoeff(&axis);
+    answer_.escape_twist = own_->scaled.twist(own_->scaled.unresisted().col(axis));
   }
   return answer_;
 }
@@ -96,41 +95,85 @@ void Grasp::ask(GripProblem problem, double limit, bool warm) {
   const double size = power_of_two_near(problem.load.norm());
   problem.load /= size;
   problem.limits = limits_;
-  solver_->solve(problem, warm);
-  report(problem, size, 1, limit * size);
+  own_->solver.solve(problem, warm);
+  report(*own_, problem, size, 1, limit * size);
+}
+
+const GripAnswer& Grasp::distance(const Vector6& load, double length) {
+  contact::require_positive("length", length);
+  if (!about_origin_) about_origin_ = std::make_unique<Workspace>(contacts_, settings_, Vector3(Vector3::Zero()));
+  for (const double x : load) contact::require_finite("load", x);
+  const ScaledGrasp& grasp = about_origin_->scaled;
+  const Vector6 w = grasp.scaled_load(load);
+  const double size = power_of_two_near(w.norm());
+  GripProblem problem{&grasp, Objective::distance, w / size};
+  problem.metric = grasp.length() / length;
+  about_origin_->solver.solve(problem, false);
+  const Bracket& bracket = about_origin_->solver.bracket();
+  report(*about_origin_, problem, size, 1, 0);
+  const double distance = (bracket.lower() + bracket.upper()) / 2;
+  answer_.escape_twist *= size * distance;
+  return answer_;
+}
+
+const GripAnswer& Grasp::least_quadratic_grip(const Vector6& load, double epsilon, double length) {
+  const Vector6 w = scaled("load", load);
+  contact::require_positive("epsilon", epsilon);
+  const double own_length = contact::require_positive("length", length) / own_->scaled.length();
+  if (!quadratic_) quadratic_ = std::make_unique<QuadraticGrip>(own_->scaled);
+  const double size = power_of_two_near(w.norm());
+  const bool balanced =
+      quadratic_->solve(w / size, {epsilon, own_length}, settings_.max_iterations, settings_.force_limit);
+  if (!balanced && least_grip(load).verdict == Verdict::cannot_hold) return answer_;
+  const QuadraticGrip& q = *quadratic_;
+  answer_.lower = size * size * q.lower();
+  answer_.upper = balanced ? size * size * q.upper() : infinity;
+  answer_.verdict = balanced ? Verdict::holds : Verdict::undecided;
+  answer_.value = balanced ? (answer_.lower + answer_.upper) / 2 : answer_.lower;
+  answer_.balance_residual = q.residual();
+  answer_.charged = balanced ? q.residual() * q.twist().norm() / q.upper() : 0;
+  answer_.effort = {Route::quadratic, 0, q.iterations(), 0};
+  report_contacts(own_->scaled, q.forces(), q.twist(), size, size);
+  return answer_;
 }
 
 // The load of the problem is 1 / size of that of the question, its twist 1 / pace; `limit` is in the units of the value.
-void Grasp::report(const GripProblem& problem, double size, double pace, double limit) {
-  const Bracket& bracket = solver_->bracket();
+void Grasp::report(const Workspace& from, const GripProblem& problem, double size, double pace, double limit) {
+  const Bracket& bracket = from.solver.bracket();
   const bool factor = problem.objective == Objective::load_factor;
   const double value_scale = size * pace;
   answer_.lower = value_scale * bracket.lower();
   answer_.upper = value_scale * bracket.upper();
   answer_.charged = bracket.charged();
   answer_.balance_residual = bracket.residual();
-  answer_.effort = solver_->effort();
+  answer_.effort = from.solver.effort();
   if (factor) {
     answer_.verdict = std::isfinite(answer_.lower) ? Verdict::holds : Verdict::undecided;
     answer_.value = std::isfinite(answer_.lower) ? answer_.lower : answer_.upper;
   } else {
-    const bool found = answer_.upper <= limit && answer_.charged <= largest_charge;
+    const bool found = answer_.upper <= limit && answer_.charged <= GripSolver::largest_charge;
     answer_.verdict = found ? Verdict::holds : answer_.lower > limit ? Verdict::cannot_hold : Verdict::undecided;
     answer_.value = std::isfinite(answer_.upper) ? (answer_.lower + answer_.upper) / 2 : answer_.lower;
   }
-  const Vector6& W = bracket.twist();
-  answer_.escape_twist = pace * scaled_->twist(W);
+  report_contacts(from.scaled, bracket.forces(), bracket.twist(), size, pace);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) answer_.contacts[i].at_limit = from.solver.polish().is_capped(i);
+}
+
+void Grasp::report_contacts(const ScaledGrasp& grasp, std::span<const PartForce> forces, const Vector6& W, double size,
+                            double pace) {
+  answer_.escape_twist = pace * grasp.twist(W);
   std::ranges::fill(answer_.contacts, ContactAnswer{});
-  for (std::size_t i = 0; i < scaled_->parts().size(); ++i) {
-    const ScaledGrasp::Part& part = scaled_->parts()[i];
-    const PartForce& x = bracket.forces()[i];
+  for (std::size_t i = 0; i < grasp.parts().size(); ++i) {
+    const ScaledGrasp::Part& part = grasp.parts()[i];
+    const PartForce& x = forces[i];
+    const bool first = i == 0 || grasp.parts()[i - 1].contact != part.contact;
     ContactAnswer& a = answer_.contacts[part.contact];
     a.normal_force += size * x.force;
-    a.friction += size * Vector3(x.friction[0], x.friction[1], scaled_->length() * x.friction[2]);
+    a.friction += size * Vector3(x.friction[0], x.friction[1], grasp.length() * x.friction[2]);
     if (x.force > 0) a.state = std::max(a.state, x.on_surface ? ContactState::slips : ContactState::sticks);
-    a.at_limit = solver_->polish().is_capped(part.contact);
+    a.dissipation = std::max(a.dissipation, pace * part.element.dissipation(part.element.sliding(W)).value);
     const double rho = pace * part.element.resistance(W, 0).value;
-    a.resistance = i > 0 && scaled_->parts()[i - 1].contact == part.contact ? std::max(a.resistance, rho) : rho;
+    a.resistance = first ? rho : std::max(a.resistance, rho);
   }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     answer_.contacts[i].sliding = contacts_[i].sliding(answer_.escape_twist);

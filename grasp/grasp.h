@@ -1,10 +1,10 @@
 // Can these contacts hold this object under this load, with how little grip, and what slips first?
 //
-//     least_grip         min max F_i        least_total_grip   min sum F_i        load_factor   max lambda
-//     holds_within       max F_i / c_i <= 1 ?                  distance   of the load from what can be held
-//     force_closure      every load?
+//     least_grip      min max F_i              least_total_grip       min sum F_i      load_factor   max lambda
+//     holds_within    max F_i / c_i <= 1 ?     least_quadratic_grip   min sum F_i^2 + eps |t_i|^2
+//     force_closure   every load?              distance   of the load from what can be held, in |f|^2 + |m|^2 / l^2
 //
-// (grip_problem.h has them in full, seed 4.3.1.) Every answer is a bracket [lower, upper] of the optimum, with the forces
+// (grip_problem.h and quadratic_grip.h has them in full, seed 4.3.1.) Every answer is a bracket [lower, upper] of the optimum, with the forces
 // that prove one end and the twist that proves the other; the verdict follows from the bracket alone:
 //
 //     holds         forces were found, none above the limit          (upper <= limit, charged <= 1e-3)
@@ -15,23 +15,27 @@
 //
 // The escape twist is the virtual motion that the load drives and every contact opposes least: w . W = value with
 // sum c_i rho_i+ = 1 (least_grip), max rho_i = 1 (least_total_grip), w_1 . W = 1 (load_factor); of the distance, the
-// residual wrench (r_f, r_m / l^2). Slipping contacts slide with it; value and twist are sensitivities as well:
+// residual wrench (r_f, r_m / l^2); of least_quadratic_grip, w . W = 2 value. Slipping contacts slide with it, but for
+// the last, where they do with a part of it. Value and twist are sensitivities as well:
 //
 //     ds/dw = W,  ds/dmu_i = -F_i D_i (least_grip);   dlambda/dc_i = rho_i+,  dlambda/dmu_i = F_i D_i (load_factor)
 //
-// Units    as contact.h and spatial.h; lower, upper, value in N (least_*), of the limits (holds_within), 1 (load_factor).
+// Units    as contact.h and spatial.h; lower, upper, value in N (least_*; N^2 of the quadratic one), of the limits
+//          (holds_within), 1 (load_factor).
 // Error    the bracket; about 1e-13 of the value for grasps that are well inside of what they can hold.
 // Throws   std::invalid_argument on what is not finite, limits that are not positive, and a grasp without contacts.
-// Memory   the constructor allocates; questions do not. An answer is valid until the next question.
+// Memory   the constructor allocates; questions do not, but for the first least_quadratic_grip or distance. An answer is valid until the next question.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <patchgrip/grasp/contact.h>
 #include <patchgrip/grasp/grip_settings.h>
 #include <patchgrip/grasp/grip_solver.h>
+#include <patchgrip/grasp/quadratic_grip.h>
 
 namespace patchgrip::grasp {
 
@@ -44,6 +48,7 @@ struct ContactAnswer {
   ContactState state = ContactState::opens;
   bool at_limit = false;    // F at s c_i, or at c_i
   friction::Twist sliding;  // of the object in the escape twist; its pole is the contact's (twist.h)
+  double dissipation = 0;   // D of the sliding, of unit mu F
   double resistance = 0;    // rho(W): < 0 where the contact opens, > 0 where it is pushed back
 };
 
@@ -71,6 +76,12 @@ class Grasp {
   // Largest lambda for which `load` + lambda `step` is carried with F_i <= limits_i.
   const GripAnswer& load_factor(const Vector6& load, const Vector6& step, std::span<const double> limits);
 
+  // By what the load misses all that can be held; it is held, or is at the edge of it, where that is 0. `length` is l.
+  const GripAnswer& distance(const Vector6& load, double length);
+
+  // 4.67c with P = diag(1, 1, l^-2), epsilon > 0.
+  const GripAnswer& least_quadratic_grip(const Vector6& load, double epsilon, double length);
+
   // From the solution of the last question of the same kind, for loads that change little; never worse than from nothing.
   const GripAnswer& next_least_grip(const Vector6& load);
 
@@ -80,15 +91,27 @@ class Grasp {
   const GripAnswer& force_closure();
 
  private:
+  // A grasp about a centre of its own, and what solves it.
+  struct Workspace {
+    Workspace(const std::vector<Contact>& contacts, const GripSettings& settings, const std::optional<Vector3>& centre)
+        : scaled(contacts, centre), solver(scaled, settings) {}
+
+    ScaledGrasp scaled;
+    GripSolver solver;
+  };
+
   void ask(GripProblem problem, double limit, bool warm);
-  void report(const GripProblem& problem, double size, double pace, double limit);
+  void report(const Workspace& from, const GripProblem& problem, double size, double pace, double limit);
+  void report_contacts(const ScaledGrasp& grasp, std::span<const PartForce> forces, const Vector6& W, double size,
+                       double pace);
   Vector6 scaled(const char* name, const Vector6& load) const;
   void set_limits(std::span<const double> limits, double scale);
 
   std::vector<Contact> contacts_;
   GripSettings settings_;
-  std::unique_ptr<const ScaledGrasp> scaled_;
-  std::unique_ptr<GripSolver> solver_;
+  std::unique_ptr<Workspace> own_;
+  std::unique_ptr<Workspace> about_origin_;  // of the distance, whose metric takes moments about the origin
+  std::unique_ptr<QuadraticGrip> quadratic_;
   std::vector<double> limits_;
   GripAnswer answer_;
 };

@@ -9,12 +9,17 @@ GripSolver::GripSolver(const ScaledGrasp& grasp, const GripSettings& settings)
       settings_(settings),
       interior_(grasp),
       polish_(grasp),
+      quadratic_(grasp),
       bracket_(grasp),
       forces_(grasp.parts().size()) {}
 
 bool GripSolver::cannot() const noexcept {
   const bool bounded = problem_.objective == Objective::max_force || problem_.objective == Objective::total_force;
   return bounded && bracket_.lower() > settings_.force_limit;
+}
+
+bool GripSolver::decided() const noexcept {
+  return cannot() || (bracket_.upper() <= settings_.force_limit && bracket_.charged() <= largest_charge);
 }
 
 void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
@@ -38,7 +43,13 @@ void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
       if (cannot()) return;
     }
   }
-  interior_.start(problem);
+  solve_conic();
+  const bool sized = problem.objective == Objective::max_force || problem.objective == Objective::total_force;
+  if (sized && !decided()) bracket_quadratic();
+}
+
+void GripSolver::solve_conic() noexcept {
+  interior_.start(problem_);
   double tolerance = settings_.interior_tolerance;
   for (int attempt = 0; attempt < 3; ++attempt, tolerance *= 1e-2) {
     const InteriorPoint::Status status = interior_.run(tolerance, settings_.max_iterations);
@@ -49,8 +60,8 @@ void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
       if (cannot()) return;
       continue;
     }
-    polish_.identify(problem, interior_);
-    polished_ = polish_.run(problem, settings_.max_repairs);
+    polish_.identify(problem_, interior_);
+    polished_ = polish_.run(problem_, settings_.max_repairs);
     effort_.newton_steps += polish_.steps();
     effort_.repairs += polish_.repairs();
     effort_.route = Route::polished;
@@ -96,6 +107,14 @@ void GripSolver::bracket_polish() noexcept {
     }
   }
   bracket_.add_forces(forces_, polish_.value());
+}
+
+void GripSolver::bracket_quadratic() noexcept {
+  quadratic_.solve(problem_.load, {}, settings_.max_iterations, settings_.force_limit);
+  effort_.route = Route::quadratic;
+  effort_.newton_steps += quadratic_.iterations();
+  bracket_.add_twist(quadratic_.twist());
+  bracket_.add_forces(quadratic_.forces(), 0);
 }
 
 void GripSolver::bracket_interior() noexcept {

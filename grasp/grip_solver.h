@@ -4,6 +4,8 @@
 //     interior point   to interior_tolerance, then again two digits further while the bracket stays open
 //     polish           Newton on the exact D, from what the interior point says slips, sticks and opens
 //     bracket          of the polished twist and forces; else of those of the interior point put into balance
+//     quadratic grip   where nothing was decided so far: it guesses nothing, and finds forces or a certificate close to
+//                      the boundary of what can be held (quadratic_grip.h)
 //
 // The bracket is all that counts: no answer rests on a flag of a solver.
 //
@@ -14,11 +16,12 @@
 #include <patchgrip/grasp/grip_settings.h>
 #include <patchgrip/grasp/interior_point.h>
 #include <patchgrip/grasp/polish.h>
+#include <patchgrip/grasp/quadratic_grip.h>
 
 namespace patchgrip::grasp {
 
 // What closed the bracket, or was done last.
-enum class Route { no_load, range, ray, warm, polished, interior };
+enum class Route { no_load, range, ray, warm, polished, interior, quadratic };
 
 struct Effort {
   Route route = Route::interior;
@@ -34,6 +37,9 @@ class GripSolver {
   // From nothing, or from the states of the last problem that it polished.
   void solve(const GripProblem& problem, bool warm) noexcept;
 
+  // The largest share of the upper bound that a charge of first order may be for it to count.
+  static constexpr double largest_charge = 1e-3;
+
   // One more twist for the bracket.
   void add_twist(const Vector6& W) noexcept { bracket_.add_twist(W); }
 
@@ -45,14 +51,18 @@ class GripSolver {
   bool closed() const noexcept { return bracket_.width() <= settings_.relative_width; }
   bool cannot() const noexcept;
   bool try_warm() noexcept;
+  void solve_conic() noexcept;
   void bracket_polish() noexcept;
   void bracket_interior() noexcept;
+  void bracket_quadratic() noexcept;
+  bool decided() const noexcept;
 
   const ScaledGrasp* grasp_;
   GripSettings settings_;
   GripProblem problem_{};
   InteriorPoint interior_;
   Polish polish_;
+  QuadraticGrip quadratic_;
   Bracket bracket_;
   Effort effort_;
   std::vector<PartForce> forces_;

@@ -109,6 +109,23 @@ TEST(GraspTable, LoadsThatCannotBeHeldComeWithATwistThatNoContactResists) {
   }
 }
 
+TEST(GraspTable, Distance) {
+  for (const json& c : cases_of("feasible")) {
+    if (c["result"].contains("weakly")) continue;
+    const double distance = number(c["result"]["distance"]), length = number(c["length"]);
+    Grasp grasp(contacts(c["grasp"]));
+    const Vector6 load = vector6(c["load"]);
+    const GripAnswer& a = grasp.distance(load, length);
+    EXPECT_EQ(a.verdict, Verdict::cannot_hold) << id(c);
+    EXPECT_NEAR(a.value, distance, 1e-11 * load.head<3>().norm()) << id(c);
+    EXPECT_LE(a.lower, distance * (1 + 4 * epsilon)) << id(c);
+    EXPECT_GE(a.upper, distance * (1 - 4 * epsilon)) << id(c);
+    Vector6 difference = a.escape_twist - vector6(c["result"]["escape_twist"]);
+    difference.tail<3>() *= length;
+    EXPECT_LE(difference.norm(), 1e-9 * distance) << id(c);
+  }
+}
+
 TEST(GraspTable, WhereNothingButALimitDecidesItDoesNotHold) {
   for (const json& c : cases_of("feasible")) {
     if (!c["result"].contains("weakly")) continue;
