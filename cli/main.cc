@@ -21,6 +21,7 @@
 #include <vector>
 
 #include <patchgrip/cli/accuracy/accuracy.h>
+#include <patchgrip/cli/grasp/run_grasp.h>
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/limit/run_limit.h>
 #include <patchgrip/cli/output_file.h>
@@ -59,6 +60,9 @@ constexpr std::string_view about_limit =
     "does friction hold these loads: gauge, margin and the slip that is next (JSON); the limit surface as VTK, CSV, "
     "SVG";
 
+constexpr std::string_view about_grasp =
+    "does a grasp hold its load, with how little grip, and what slips first: with certificates (JSON), CSV, SVG, VTK";
+
 constexpr std::string_view about_scenes =
     "SCENE names what touches, how it is loaded and what is asked for. Its format is described key by key in\n"
     "data/scenes/README.md (installed: share/patchgrip/scenes), beside ready-made scenes.\n"
@@ -70,7 +74,7 @@ constexpr std::string_view about_accuracy = "errors of every entry of reference 
 constexpr std::string_view about_failure =
     "Exit code 1 if an error exceeds the tolerance, or if something is not covered and --allow-uncovered is not given.";
 
-constexpr std::array<std::string_view, 4> subcommands{"tabulate", "press", "limit", "accuracy"};
+constexpr std::array<std::string_view, 5> subcommands{"tabulate", "press", "limit", "grasp", "accuracy"};
 
 struct Arguments {
   std::string scene;
@@ -78,6 +82,8 @@ struct Arguments {
   std::string table;
   std::string surface;
   std::string picture;
+  std::string vectors;
+  std::string question;
   std::string materials;
   std::vector<std::string> tables;
   std::string tolerance = "1e-12";
@@ -100,9 +106,10 @@ cli::MaterialLibrary materials_of(const Arguments& arguments) {
 }
 
 void refuse_clashes(const Arguments& arguments) {
-  const std::array<cli::NamedOutput, 4> outputs{{{"--output", arguments.output},
+  const std::array<cli::NamedOutput, 5> outputs{{{"--output", arguments.output},
                                                  {"--table", arguments.table},
                                                  {"--surface", arguments.surface},
+                                                 {"--vectors", arguments.vectors},
                                                  {"--picture", arguments.picture}}};
   cli::refuse_clashes(arguments.scene, outputs);
 }
@@ -112,6 +119,15 @@ int run_limit(const Arguments& arguments) {
   const cli::MaterialLibrary materials = materials_of(arguments);
   refuse_clashes(arguments);
   cli::run_limit({arguments.scene, arguments.output, arguments.table, arguments.surface, arguments.picture}, materials);
+  return done;
+}
+
+int run_grasp(const Arguments& arguments) {
+  const cli::InterruptGuard guard;
+  const cli::MaterialLibrary materials = materials_of(arguments);
+  refuse_clashes(arguments);
+  cli::run_grasp({arguments.scene, arguments.output, arguments.table, arguments.vectors, arguments.picture},
+                 arguments.question, materials);
   return done;
 }
 
@@ -187,6 +203,16 @@ int run(int argc, char** argv) {
   limit->add_option("--picture", arguments.picture, ".svg file to draw the limit surface and the loads in")
       ->type_name("FILE");
 
+  CLI::App* grasp = add_scene_command("grasp", about_grasp);
+  grasp->add_option("--question", arguments.question, "what is asked, instead of what the scene asks")
+      ->type_name("NAME");
+  grasp->add_option("--table", arguments.table, "CSV file to write: a row for each load, or each member of a family")
+      ->type_name("FILE");
+  grasp->add_option("--picture", arguments.picture, ".svg file to draw contacts, forces, load and escape in")
+      ->type_name("FILE");
+  grasp->add_option("--vectors", arguments.vectors, ".vtk file to write normals, forces and the escape to")
+      ->type_name("FILE");
+
   CLI::App* accuracy = app.add_subcommand("accuracy", std::string(about_accuracy));
   accuracy->footer(std::string(about_failure));
   accuracy->add_option("TABLE", arguments.tables, "reference tables (JSON)")->required();
@@ -203,6 +229,7 @@ int run(int argc, char** argv) {
     if (tabulate->parsed()) return run_tabulate(arguments);
     if (press->parsed()) return run_press(arguments);
     if (limit->parsed()) return run_limit(arguments);
+    if (grasp->parsed()) return run_grasp(arguments);
     return cli::run_accuracy(arguments.tables, tolerance_of(arguments.tolerance), arguments.allow_uncovered, std::cout);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

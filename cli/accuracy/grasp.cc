@@ -19,7 +19,10 @@
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/uniform_disc.h>
 #include <patchgrip/grasp/grasp.h>
+#include <patchgrip/grasp/growing_grip.h>
+#include <patchgrip/grasp/held_ball.h>
 #include <patchgrip/grasp/inertial_load.h>
+#include <patchgrip/grasp/internal_forces.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -54,6 +57,12 @@ Vector6 read_vector6(const TableNode& list, Inputs inputs) {
   return w;
 }
 
+// Of a model whose radius follows the load: a^3 / F.
+std::optional<double> read_growth(TableObject& contact, Inputs inputs) {
+  if (contact["model"].text() != "hertz_disc_load") return std::nullopt;
+  return 3 * as_double(contact["R"].number(), inputs) / (4 * as_double(contact["E_star"].number(), inputs));
+}
+
 // Nothing where the library does not have the model.
 std::optional<FrictionCone> read_cone(TableObject& contact, Inputs inputs) {
   using namespace friction;
@@ -75,6 +84,11 @@ std::optional<FrictionCone> read_cone(TableObject& contact, Inputs inputs) {
   return std::nullopt;
 }
 
+grasp::ContactFrame read_contact_frame(TableObject& contact, Inputs inputs) {
+  return {read_vector3(contact["position"], inputs), read_vector3(contact["normal_out"], inputs),
+          read_vector3(contact["u"], inputs)};
+}
+
 // Empty where a model is not covered.
 std::vector<Contact> read_contacts(const TableNode& list, Inputs inputs) {
   std::vector<Contact> contacts;
@@ -82,10 +96,27 @@ std::vector<Contact> read_contacts(const TableNode& list, Inputs inputs) {
     TableObject contact(node);
     const auto cone = read_cone(contact, inputs);
     if (!cone) return {};
-    contacts.emplace_back(
-        grasp::ContactFrame{read_vector3(contact["position"], inputs), read_vector3(contact["normal_out"], inputs),
-                            read_vector3(contact["u"], inputs)},
-        *cone);
+    contacts.emplace_back(read_contact_frame(contact, inputs), *cone);
+  }
+  return contacts;
+}
+
+// The same where some grow with the load.
+std::vector<grasp::GrowingContact> read_growing_contacts(const TableNode& list, Inputs inputs) {
+  std::vector<grasp::GrowingContact> contacts;
+  for (const TableNode& node : list.filled()) {
+    TableObject contact(node);
+    const grasp::ContactFrame frame = read_contact_frame(contact, inputs);
+    if (const auto growth = read_growth(contact, inputs)) {
+      const double mu = as_double(contact["mu"].number(), inputs);
+      contacts.emplace_back([frame, mu, cube = *growth](double F) {
+        return Contact(frame, FrictionCone::patch(mu, friction::HertzDisc::of_radius(std::cbrt(cube * F))));
+      });
+    } else if (const auto cone = read_cone(contact, inputs)) {
+      contacts.emplace_back([fixed = Contact(frame, *cone)](double) { return fixed; });
+    } else {
+      return {};
+    }
   }
   return contacts;
 }
@@ -105,6 +136,10 @@ void add(AccuracyReport& report, const Case& c, std::string_view quantity, const
 Vector6 load_of(Case& c, const char* name, Inputs inputs) { return read_vector6(c.fields[name], inputs); }
 
 const GripAnswer& answer(Case& c, Grasp& g, Inputs inputs) {
+  if (c.problem == "min_quadratic") {
+    return g.least_quadratic_grip(load_of(c, "load", inputs), as_double(c.fields["epsilon"].positive(), inputs),
+                                  as_double(c.fields["length"].positive(), inputs));
+  }
   if (c.problem == "min_max_normal") return g.least_grip(load_of(c, "load", inputs));
   if (c.problem == "min_sum_normal") return g.least_total_grip(load_of(c, "load", inputs));
   std::vector<double> limits;
@@ -192,8 +227,17 @@ void compare_worst_case(Case& c, AccuracyReport& report) {
   add(report, c, "worst load", index < each.size() && each[index] == reference ? Deviation{} : failed);
 }
 
-// The verdict that no limit on the forces lets it hold, and the distance of the load.
+// The verdict that no limit on the forces lets it hold, and the distance of the load, relative to the load's force.
 void compare_verdict(Case& c, AccuracyReport& report) {
+  const Exact distance = c.result["distance"].number();
+  const auto q = measure([&](Inputs inputs) {
+    Grasp grasp(read_contacts(*c.contacts, inputs));
+    const double length = as_double(c.fields["length"].positive(), inputs);
+    return std::array{grasp.distance(load_of(c, "load", inputs), length).value};
+  });
+  // A distance of 0 that no finite forces reach is bracketed, not computed.
+  const double load = load_of(c, "load", Inputs::rounded).head<3>().norm();
+  if (distance > 0) add(report, c, "distance", deviation(q, 0, distance, load > 0 ? Exact(load) : distance));
   Grasp g(read_contacts(*c.contacts, Inputs::rounded));
   const Verdict verdict = g.least_grip(load_of(c, "load", Inputs::rounded)).verdict;
   const bool feasible = is_true(c.result["feasible"]);
@@ -231,10 +275,72 @@ void compare_inertial_load(Case& c, AccuracyReport& report) {
   add(report, c, "moment", deviation(q, 3, all.last(3), moment == 0 ? Exact(1) : moment));
 }
 
+void compare_growing(Case& c, AccuracyReport& report) {
+  const Vector6 load = load_of(c, "load", Inputs::rounded);
+  const auto grip = least_growing_grip(read_growing_contacts(*c.contacts, Inputs::rounded), load);
+  const auto error = [](double value, const Exact& reference) {
+    const double e = static_cast<double>(abs(value - reference) / reference);
+    return Deviation{e, e};
+  };
+  add(report, c, "verdict", (grip.verdict == Verdict::holds) == is_true(c.result["feasible"]) ? Deviation{} : failed);
+  if (const auto value = c.result.find("value")) {
+    add(report, c, "lower bound", error(grip.lower, value->positive()));
+    add(report, c, "upper bound", error(grip.upper, value->positive()));
+  } else {
+    // A bracket of its own, to the digits that it is printed with: ours has to lie in it.
+    const Exact lower = c.result["lower"].positive(), upper = c.result["upper"].positive();
+    const double digits = 1e-9;
+    const bool within = grip.lower >= lower * (1 - digits) && grip.upper <= upper * (1 + digits);
+    add(report, c, "bracket", within && grip.lower <= grip.upper ? Deviation{} : failed);
+  }
+  for (const std::string_view read : {"radius", "pole_distance_over_a", "upper_F_n"}) c.result.find(read);
+}
+
+// The value is an upper bound that many starts agree on, and nobody knows a closer lower one: ours has to be below.
+void compare_ball(Case& c, AccuracyReport& report) {
+  const Exact reference = c.result["value"].positive();
+  const auto measure_of =
+      c.problem == "epsilon_l1" ? grasp::GripMeasure::total_force : grasp::GripMeasure::largest_force;
+  constexpr int simplices = 2000;
+  const auto q = measure([&](Inputs inputs) {
+    const grasp::HeldBall ball =
+        held_ball(read_contacts(*c.contacts, inputs), measure_of, as_double(c.fields["length"].positive(), inputs),
+                  {.max_simplices = inputs == Inputs::rounded ? simplices : 0, .planar = c.planar});
+    return std::array{ball.upper, ball.lower};
+  });
+  add(report, c, "upper bound", deviation(q, 0, reference, reference));
+  const bool below = q.value[1] <= reference * (1 + 1e-12) && q.value[1] > 0;
+  add(report, c, "lower bound", below ? Deviation{} : failed);
+}
+
+void compare_pseudo_inverse(Case& c, AccuracyReport& report) {
+  const auto contacts = read_contacts(*c.contacts, Inputs::rounded);
+  const auto reference = c.result["F_n"].numbers(contacts.size());
+  const auto a = grasp::least_norm_forces(contacts, load_of(c, "load", Inputs::rounded));
+  double largest = 0, error = 0;
+  bool negative = false;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    largest = std::max(largest, static_cast<double>(abs(reference[i])));
+    error = std::max(error, static_cast<double>(abs(a.normal_forces[i] - reference[i])));
+    negative = negative || a.normal_forces[i] < 0;
+  }
+  add(report, c, "normal forces", {error / largest, error / largest});
+  const double residual = static_cast<double>(abs(a.residual.norm() - c.result["residual"].number())) / largest;
+  add(report, c, "residual", {residual, residual});
+  const bool same = Exact(a.rank) == c.result["rank"].number() && negative == is_true(c.result["any_negative"]);
+  add(report, c, "rank and sign", same ? Deviation{} : failed);
+}
+
 using Compare = void (*)(Case&, AccuracyReport&);
 
 Compare comparison_of(const std::string& problem) {
-  if (problem == "min_max_normal" || problem == "min_sum_normal" || problem == "load_factor") return compare_optimum;
+  if (problem == "min_max_normal" || problem == "min_sum_normal" || problem == "load_factor" ||
+      problem == "min_quadratic") {
+    return compare_optimum;
+  }
+  if (problem == "min_max_normal_load_dependent") return compare_growing;
+  if (problem == "epsilon_l1" || problem == "epsilon_linf") return compare_ball;
+  if (problem == "pseudo_inverse") return compare_pseudo_inverse;
   if (problem == "worst_case_vertices") return compare_worst_case;
   if (problem == "force_closure") return compare_closure;
   if (problem == "inertial_load") return compare_inertial_load;
@@ -264,7 +370,9 @@ void compare_grasps(const TableNode& grasps, const TableNode& cases, AccuracyRep
     const Compare compare = comparison_of(problem);
     bool planar = false;
     const auto contacts = find_contacts(grasps, fields["grasp"], planar);
-    const bool known_contacts = !contacts || !read_contacts(*contacts, Inputs::rounded).empty();
+    const bool grows = compare == compare_growing;
+    const bool known_contacts = !contacts || (grows ? !read_growing_contacts(*contacts, Inputs::rounded).empty()
+                                                    : !read_contacts(*contacts, Inputs::rounded).empty());
     if (compare == nullptr || !known_contacts) {
       report.not_covered(section, fmt::format("'{}'", printable(problem)));
       continue;

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <patchgrip/cli/interrupt.h>
-#include <patchgrip/cli/limit/picture_axes.h>
-#include <patchgrip/cli/limit/svg.h>
+#include <patchgrip/cli/picture/picture_axes.h>
+#include <patchgrip/cli/picture/svg.h>
 #include <patchgrip/cli/progress.h>
 
 namespace patchgrip::cli {

@@ -1,4 +1,4 @@
-#include <patchgrip/cli/limit/svg.h>
+#include <patchgrip/cli/picture/svg.h>
 
 #include <fmt/format.h>
 

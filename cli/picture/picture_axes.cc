@@ -1,4 +1,4 @@
-#include <patchgrip/cli/limit/picture_axes.h>
+#include <patchgrip/cli/picture/picture_axes.h>
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <patchgrip/cli/limit/svg.h>
+#include <patchgrip/cli/picture/svg.h>
 
 namespace patchgrip::cli {
 
