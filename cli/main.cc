@@ -30,6 +30,7 @@
 #include <patchgrip/cli/scene/nearest_name.h>
 #include <patchgrip/cli/scene/scene.h>
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/simulate/run_simulate.h>
 #include <patchgrip/cli/tabulate.h>
 #include <patchgrip/cli/unanswered.h>
 #include <patchgrip/version.h>
@@ -59,6 +60,9 @@ constexpr std::string_view about_limit =
     "does friction hold these loads: gauge, margin and the slip that is next (JSON); the limit surface as VTK, CSV, "
     "SVG";
 
+constexpr std::string_view about_simulate =
+    "how a body moves on its contact: when it breaks away, when it stops (JSON), and the motion over time (CSV)";
+
 constexpr std::string_view about_scenes =
     "SCENE names what touches, how it is loaded and what is asked for. Its format is described key by key in\n"
     "data/scenes/README.md (installed: share/patchgrip/scenes), beside ready-made scenes.\n"
@@ -70,7 +74,7 @@ constexpr std::string_view about_accuracy = "errors of every entry of reference 
 constexpr std::string_view about_failure =
     "Exit code 1 if an error exceeds the tolerance, or if something is not covered and --allow-uncovered is not given.";
 
-constexpr std::array<std::string_view, 4> subcommands{"tabulate", "press", "limit", "accuracy"};
+constexpr std::array<std::string_view, 5> subcommands{"tabulate", "press", "limit", "simulate", "accuracy"};
 
 struct Arguments {
   std::string scene;
@@ -120,6 +124,14 @@ int run_press(const Arguments& arguments) {
   const cli::MaterialLibrary materials = materials_of(arguments);
   refuse_clashes(arguments);
   cli::run_press({arguments.scene, arguments.output, arguments.table}, materials);
+  return done;
+}
+
+int run_simulate(const Arguments& arguments) {
+  const cli::InterruptGuard guard;
+  const cli::MaterialLibrary materials = materials_of(arguments);
+  refuse_clashes(arguments);
+  cli::run_simulate({arguments.scene, arguments.output, arguments.table}, materials);
   return done;
 }
 
@@ -187,6 +199,12 @@ int run(int argc, char** argv) {
   limit->add_option("--picture", arguments.picture, ".svg file to draw the limit surface and the loads in")
       ->type_name("FILE");
 
+  CLI::App* simulate = add_scene_command("simulate", about_simulate);
+  simulate
+      ->add_option("--table", arguments.table,
+                   "CSV file to write: place, twist, friction and energies over time; after Ctrl-C up to there")
+      ->type_name("FILE");
+
   CLI::App* accuracy = app.add_subcommand("accuracy", std::string(about_accuracy));
   accuracy->footer(std::string(about_failure));
   accuracy->add_option("TABLE", arguments.tables, "reference tables (JSON)")->required();
@@ -203,6 +221,7 @@ int run(int argc, char** argv) {
     if (tabulate->parsed()) return run_tabulate(arguments);
     if (press->parsed()) return run_press(arguments);
     if (limit->parsed()) return run_limit(arguments);
+    if (simulate->parsed()) return run_simulate(arguments);
     return cli::run_accuracy(arguments.tables, tolerance_of(arguments.tolerance), arguments.allow_uncovered, std::cout);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

@@ -157,7 +157,8 @@ PointMotionResult PointMotion::operator()(const PointLoad& load, const PointStat
   contact::require_in("end", t1, contact::require_finite("start", t0), std::numeric_limits<double>::max());
   for (const double x : to_array(from)) contact::require_finite("state", x);
   for (const auto& [name, times] : {std::pair{"jumps", &load.jumps}, {"samples", &samples}}) {
-    for (std::size_t i = 1; i < times->size(); ++i) contact::require_in(name, (*times)[i], (*times)[i - 1], t1);
+    for (std::size_t i = 1; i < times->size(); ++i)
+      contact::require_in(name, (*times)[i], (*times)[i - 1], std::numeric_limits<double>::max());
   }
   PointMotionResult r = Run(body_, law_, mu_hold_, load, settings, samples, watch)(from, t0, t1);
   PointMotionSettings rough = settings;

@@ -18,7 +18,8 @@ TomlReader scene_table(const TomlDocument& document) {
   return {document,
           document.root(),
           "",
-          {"title", "contact", "friction", "poles", "adhesion", "load", "profile", "sweep", "loads", "surface"}};
+          {"title", "contact", "friction", "poles", "adhesion", "load", "profile", "sweep", "loads", "surface", "body",
+           "applied", "motion"}};
 }
 
 Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials) {
