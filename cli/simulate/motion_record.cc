@@ -19,19 +19,19 @@ void estimate_errors(MotionRecord& record, const MotionRecord& other, double fac
     largest = largest.cwiseMax(factor * (record.rows[i].place - other.rows[i].place).cwiseAbs());
     record.rows[i].error = largest + tolerance * (Vector3::Ones() + record.rows[i].place.cwiseAbs());
   }
-  const auto kind = [](const MotionEvent& e) { return e.kind; };
-  const bool alike = std::ranges::equal(record.events, other.events, {}, kind, kind);
+  bool alike = true;
   for (std::size_t i = 0; i < record.events.size(); ++i) {
+    alike = alike && i < other.events.size() && other.events[i].kind == record.events[i].kind;
     if (alike) {
       add_error(record.events[i], other.events[i], factor);
     } else {
       record.events[i].time_error = not_known;
     }
   }
-  if (!alike) {
+  if (!alike || other.events.size() != record.events.size()) {
     record.warnings.emplace_back(
-        "a second run, by another step, meets other events: the errors of their times are not "
-        "known");
+        "a second run, by another step, meets other events: the errors of the times of those "
+        "that it does not share are not known");
   }
   if (record.rest && other.rest) {
     add_error(*record.rest, *other.rest, factor);

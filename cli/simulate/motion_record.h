@@ -45,7 +45,8 @@ struct MotionRecord {
   std::vector<std::string> warnings;
 };
 
-// `factor` times the differences from another record of the same times become errors; events are matched in their order.
+// `factor` times the differences from another record of the same times become errors; events are matched in their order, as
+// long as they are of the same kind.
 // What is already there as an error of an event is added to.
 void estimate_errors(MotionRecord& record, const MotionRecord& other, double factor, double tolerance);
 

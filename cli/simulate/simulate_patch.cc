@@ -165,11 +165,13 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
   const auto speed = [&](const PlanarState& x) {
     return std::hypot(x.twist[0], x.twist[1], s.patch.area_radius() * x.twist[2]);
   };
+  // What bent bristles can give back: slower slips than that are of their ringing.
+  const double ringing = s.capacity * s.capacity / (2 * b.stiffness);
   double t = 0;
   Vector3 friction = -s.load(0);
   if (!scene.body.settled) friction.setZero();
   bool slips = false;
-  std::optional<std::pair<double, PlanarState>> late;  // the last state that slides on for half a step and more
+  std::optional<std::pair<double, PlanarState>> late;  // the last state that slides on for half a step, by itself
   const auto add_row = [&] {
     MotionRow row{t, state.place, state.twist, state.deflection(), friction};
     row.slips = slips;
@@ -181,6 +183,7 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
   };
   const auto finish_slip = [&] {
     record.events.push_back({"sticks", t, longest, state.place, std::nullopt, s.margin(t, state.place[2])});
+    if (!record.rest) record.rest = record.events.back();
     if (late) {
       if (auto stop = rigid_stop(s, late->second, late->first)) record.rest = std::move(stop);
     }
@@ -221,8 +224,8 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
       slips = r.slips;
       t = i + 1 == steps ? to : from + static_cast<double>(i + 1) * h;
       if (ended) finish_slip();
-      const double D = slips ? s.patch.dissipation(twist(state.twist)) : 0;
-      if (D > 0 && s.capacity > 0 && 2 * s.kinetic(state.twist) > h / 2 * s.capacity * D) late = {t, state};
+      const double D = slips ? s.patch.dissipation(twist(state.twist)) : 0, T = s.kinetic(state.twist);
+      if (D > 0 && s.capacity > 0 && T > std::max(h / 4 * s.capacity * D, ringing)) late = {t, state};
     }
   }
 }
@@ -289,7 +292,7 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
     const auto note = [&](double at, const auto& x, std::size_t which) {
       MotionEvent e{"rest_speed", at, 0, place(x)};
       if (which == 0) {
-        e.kind = beyond(x) > 0 ? "break_away" : "sticks";
+        e.kind = beyond(x) >= 0 ? "break_away" : "sticks";
         e.margin = s.margin(at, x[2]);
         if (e.kind == "break_away" && speed(x) > 0) e.slip = Twist{x[3], x[4], x[5]};
       }
@@ -302,7 +305,7 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
       MotionRow row{flow.time(), place(x), {x[3], x[4], x[5]}};
       row.deflection = turned({x[6], x[7], x[8]}, x[2] - x[8]);
       row.friction = motion.wrench(x);
-      row.slips = beyond(x) > 0;
+      row.slips = beyond(x) >= 0;
       row.kinetic = motion.kinetic_energy(x);
       row.stored = motion.stored_energy(x);
       row.work = x[9];

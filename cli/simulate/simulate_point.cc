@@ -173,7 +173,7 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
     const auto note = [&](double at, const Flow::State& x, std::size_t which) {
       MotionEvent e{"turn", at, 0, along_x(x[0])};
       if (which == 0) {
-        e.kind = friction(std::min(at, last), x).present > law.yielding() ? "break_away" : "sticks";
+        e.kind = friction(std::min(at, last), x).present >= law.yielding() ? "break_away" : "sticks";
         e.margin = s.margin(at, x[0]);
       }
       record.events.push_back(e);
@@ -189,7 +189,7 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
       MotionRow row{flow.time(), along_x(x[0]), along_x(x[1])};
       row.deflection = along_x(-x[2]);
       row.friction = along_x(R.force);
-      row.slips = R.present > law.yielding();
+      row.slips = R.present >= law.yielding();
       row.kinetic = b.mass * x[1] * x[1] / 2;
       row.stored = b.spring * x[0] * x[0] / 2 + law.stiffness() * x[2] * x[2] / 2;
       row.work = x[3];

@@ -96,7 +96,8 @@ TEST(PointMotion, EnergyBalances) {
 TEST(PointMotion, HoldsAtTheLimitAndTurnsBeyondIt) {
   const PointMotion motion({1}, Law::coulomb(0.5));
   EXPECT_TRUE(motion(pulled([](double) { return 1.; }, 2), {}, 0, 100).events.empty());
-  const auto r = motion(pulled([](double t) { return t < 1 ? 3. : -3.; }, 2, {1, 7, 9}), {}, 0, 4, {.tolerance = 1e-13});
+  const auto r =
+      motion(pulled([](double t) { return t < 1 ? 3. : -3.; }, 2, {1, 7, 9}), {}, 0, 4, {.tolerance = 1e-13});
   ASSERT_EQ(r.events.size(), 2u);
   EXPECT_EQ(r.events[0].kind, Kind::break_away);
   EXPECT_EQ(r.events[1].kind, Kind::turn);
