@@ -36,4 +36,6 @@ void InterruptGuard::check() {
   if (pending != 0) throw Interrupted{pending};
 }
 
+void InterruptGuard::forget() noexcept { pending = 0; }
+
 }  // namespace patchgrip::cli

@@ -14,6 +14,9 @@ class InterruptGuard {
 
   // Throws Interrupted once a signal has arrived while there is a guard.
   static void check();
+
+  // Takes note of a signal no further, so that what there is can be written; the next one counts again.
+  static void forget() noexcept;
 };
 
 struct Interrupted {

@@ -31,6 +31,7 @@
 #include <patchgrip/cli/scene/nearest_name.h>
 #include <patchgrip/cli/scene/scene.h>
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/simulate/run_simulate.h>
 #include <patchgrip/cli/tabulate.h>
 #include <patchgrip/cli/unanswered.h>
 #include <patchgrip/version.h>
@@ -63,6 +64,9 @@ constexpr std::string_view about_limit =
 constexpr std::string_view about_grasp =
     "does a grasp hold its load, with how little grip, and what slips first: with certificates (JSON), CSV, SVG, VTK";
 
+constexpr std::string_view about_simulate =
+    "how a body moves on its contact: when it breaks away, when it stops (JSON), and the motion over time (CSV)";
+
 constexpr std::string_view about_scenes =
     "SCENE names what touches, how it is loaded and what is asked for. Its format is described key by key in\n"
     "data/scenes/README.md (installed: share/patchgrip/scenes), beside ready-made scenes.\n"
@@ -74,7 +78,7 @@ constexpr std::string_view about_accuracy = "errors of every entry of reference 
 constexpr std::string_view about_failure =
     "Exit code 1 if an error exceeds the tolerance, or if something is not covered and --allow-uncovered is not given.";
 
-constexpr std::array<std::string_view, 5> subcommands{"tabulate", "press", "limit", "grasp", "accuracy"};
+constexpr std::array<std::string_view, 6> subcommands{"tabulate", "press", "limit", "grasp", "simulate", "accuracy"};
 
 struct Arguments {
   std::string scene;
@@ -136,6 +140,14 @@ int run_press(const Arguments& arguments) {
   const cli::MaterialLibrary materials = materials_of(arguments);
   refuse_clashes(arguments);
   cli::run_press({arguments.scene, arguments.output, arguments.table}, materials);
+  return done;
+}
+
+int run_simulate(const Arguments& arguments) {
+  const cli::InterruptGuard guard;
+  const cli::MaterialLibrary materials = materials_of(arguments);
+  refuse_clashes(arguments);
+  cli::run_simulate({arguments.scene, arguments.output, arguments.table}, materials);
   return done;
 }
 
@@ -213,6 +225,12 @@ int run(int argc, char** argv) {
   grasp->add_option("--vectors", arguments.vectors, ".vtk file to write normals, forces and the escape to")
       ->type_name("FILE");
 
+  CLI::App* simulate = add_scene_command("simulate", about_simulate);
+  simulate
+      ->add_option("--table", arguments.table,
+                   "CSV file to write: place, twist, friction and energies over time; after Ctrl-C up to there")
+      ->type_name("FILE");
+
   CLI::App* accuracy = app.add_subcommand("accuracy", std::string(about_accuracy));
   accuracy->footer(std::string(about_failure));
   accuracy->add_option("TABLE", arguments.tables, "reference tables (JSON)")->required();
@@ -230,6 +248,7 @@ int run(int argc, char** argv) {
     if (press->parsed()) return run_press(arguments);
     if (limit->parsed()) return run_limit(arguments);
     if (grasp->parsed()) return run_grasp(arguments);
+    if (simulate->parsed()) return run_simulate(arguments);
     return cli::run_accuracy(arguments.tables, tolerance_of(arguments.tolerance), arguments.allow_uncovered, std::cout);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);

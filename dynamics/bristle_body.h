@@ -191,6 +191,8 @@ class BristleBody {
     r.state.acceleration = stages[n - 1].acceleration;
     r.wrench = -stages[n - 1].wrench;
     e.numerical = lost(h, stages);
+    r.state.work += e.work;
+    r.state.dissipated += e.slip + e.damping + e.numerical;
     return r;
   }
 

@@ -15,6 +15,8 @@ struct PlanarState {
   Vector3 twist = Vector3::Zero();
   Vector3 anchor = Vector3::Zero();
   Vector3 acceleration = Vector3::Zero();  // of the last step: predictions rest on it
+  double work = 0;                         // of the load, since the start [J]
+  double dissipated = 0;                   // by friction, dampers and the method, since the start [J]
 
   Vector3 deflection() const { return place - anchor; }  // kappa
 };

@@ -16,8 +16,8 @@ using friction::Gauge;
 using friction::Twist;
 using friction::Wrench;
 
-// n, ln rho, t - t_0, place.
-using Stretched = Trajectory<8>;
+// n, ln rho, t - t_0, place, work, dissipated.
+using Stretched = Trajectory<10>;
 
 constexpr double at_rest = 1e-17;       // of rho to its largest
 constexpr double first_motion = 1e-12;  // [s] after a jump that starts the body
@@ -138,8 +138,12 @@ class Motion {
     const double tau = std::min(settings_.start / rate, piece_end(t_) - t_);
     const double alpha = rate * L / n.dot(mass_.cwiseProduct(n));
     const double angle = state_.place[2];
-    state_.place += turned(alpha * tau * tau * tau / 6 * n, angle);
+    const Vector3 way = turned(alpha * tau * tau * tau / 6 * n, angle);
+    const double work = force(t_ + 0.75 * tau).dot(way);  // exact for a load that grows steadily
+    state_.place += way;
     state_.twist = turned(alpha * tau * tau / 2 * n, angle);
+    state_.work += work;
+    state_.dissipated += work - state_.twist.dot(mass_.cwiseProduct(state_.twist)) / 2;
     t_ += tau;
   }
 
@@ -153,6 +157,7 @@ class Motion {
   }
 
   void slip() {
+    sample_to(t_);
     const double origin = t_, end = piece_end(t_);
     const Vector3 p = root_.cwiseProduct(state_.twist);
     const double size = p.norm();
@@ -174,8 +179,10 @@ class Motion {
           }
           dy[3] = along;
           dy[4] = scale * rho;
+          dy[8] = dy[4] * force(t).dot(v);
+          dy[9] = dy[8] - size * size * rho * rho * along;  // less the change of kinetic energy
         },
-        {n[0], n[1], n[2], 0, 0, state_.place[0], state_.place[1], state_.place[2]}, 0,
+        {n[0], n[1], n[2], 0, 0, state_.place[0], state_.place[1], state_.place[2], state_.work, state_.dissipated}, 0,
         {.tolerance = settings_.tolerance, .first_step = 1e-3});
     double largest = 0;
     enum : std::size_t { rest, over, due };
@@ -185,8 +192,9 @@ class Motion {
     });
     motion.watch([&](double, const Stretched::State& y) { return origin + y[4] - end; });
     motion.watch([&](double, const Stretched::State& y) {
-      const double sample = next_sample_ < samples_->size() ? (*samples_)[next_sample_] : 2 * end_ + 1;
-      return origin + y[4] - sample;
+      // One at the end itself is met there.
+      const double sample = next_sample_ < samples_->size() ? (*samples_)[next_sample_] : end;
+      return sample < end ? origin + y[4] - sample : -1;
     });
     std::size_t why = due;
     motion.run(1e6, [&](double, const Stretched::State& y, std::size_t event) {
@@ -195,6 +203,8 @@ class Motion {
         at.place = {y[5], y[6], y[7]};
         at.twist = twist(y);
         at.anchor = at.place;
+        at.work = y[8];
+        at.dissipated = y[9];
         if (*watch_) (*watch_)((*samples_)[next_sample_], at);
         ++next_sample_;
         return false;
@@ -205,6 +215,8 @@ class Motion {
     const Stretched::State& y = motion.state();
     state_.place = {y[5], y[6], y[7]};
     state_.twist = twist(y);
+    state_.work = y[8];
+    state_.dissipated = y[9];
     t_ = why == over ? end : origin + y[4];
     sample_to(t_);
     if (why != rest) return;

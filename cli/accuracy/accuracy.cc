@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view remark =
     "u = 2^-53. Errors contain the rounding of the table's decimals to double; 'own' is the worst that is left without "
     "it, to\n"
-    "first order. The smaller of the two is held against the tolerance.\n";
+    "first order. The smaller of the two is held against the tolerance, less what the table states of itself.\n";
 
 AccuracyReport report_on(const std::string& file) {
   const TableValue table = read_table(file);

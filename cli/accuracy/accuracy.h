@@ -9,6 +9,8 @@
 // Rounded inputs       a table states poles, twists and sizes as decimals, the library takes the nearest doubles. The
 //                      errors are printed with that in them, and beside them the worst that is left without it
 //                      (inputs.h). The smaller of the two is held against the tolerance, since a table may mean either.
+// Stated accuracy      trajectories whose entry states an accuracy of its own (`tolerance`, `solver_agreement`) may be
+//                      wrong by as much more.
 #pragma once
 
 #include <iosfwd>

@@ -22,16 +22,17 @@ std::string units(double error) {
 
 }  // namespace
 
-void AccuracyReport::add(const Kind& kind, const Deviation& error, std::string_view place) {
+void AccuracyReport::add(const Kind& kind, const Deviation& error, std::string_view place, double stated) {
   auto line = std::find_if(lines_.begin(), lines_.end(), [&](const Line& known) { return known.kind == kind; });
   if (line == lines_.end()) line = lines_.insert(end_of_group(kind), Line{kind});
-  const double judged = std::min(error.as_is, error.own);
+  const double beyond = std::min(error.as_is, error.own) - stated, judged = beyond < 0 ? 0 : beyond;
   if (line->entries == 0 || judged > line->judged) {
     line->judged = judged;
     line->worst_at = place;
   }
   line->worst = std::max(line->worst, error.as_is);
   line->own = std::max(line->own, error.own);
+  line->stated = std::max(line->stated, stated);
   line->sum += error.as_is;
   ++line->entries;
 }
@@ -65,6 +66,7 @@ std::size_t AccuracyReport::kinds_beyond(double tolerance) const noexcept {
 
 void AccuracyReport::print(std::ostream& out, double tolerance) const {
   if (!lines_.empty()) print_errors(out);
+  print_stated(out);
   print_beyond(out, tolerance);
   print_gaps(out);
 }
@@ -89,10 +91,19 @@ void AccuracyReport::print_errors(std::ostream& out) const {
   }
 }
 
+void AccuracyReport::print_stated(std::ostream& out) const {
+  for (const Line& line : lines_) {
+    if (line.stated == 0) continue;
+    out << fmt::format("The table states {:.1e} of {} of {} in {}\n", line.stated, line.kind.quantity,
+                       line.kind.contact, line.kind.section);
+  }
+}
+
 void AccuracyReport::print_beyond(std::ostream& out, double tolerance) const {
   for (const Line& line : lines_) {
     if (line.judged <= tolerance) continue;
-    out << fmt::format("Error {:.3g} > {:g}: {} of {} at {}\n", line.judged, tolerance, line.kind.quantity,
+    out << fmt::format("Error {:.3g}{} > {:g}: {} of {} at {}\n", line.judged,
+                       line.stated > 0 ? " beyond what is stated" : "", tolerance, line.kind.quantity,
                        line.kind.contact, line.worst_at);
   }
 }

@@ -22,7 +22,8 @@ class AccuracyReport {
     bool operator==(const Kind&) const = default;
   };
 
-  void add(const Kind& kind, const Deviation& error, std::string_view place);
+  // `stated` is the accuracy that the table claims for the entry, relative to the same scale: as much more may be wrong.
+  void add(const Kind& kind, const Deviation& error, std::string_view place, double stated = 0);
 
   // `what` of `section`, once more.
   void not_covered(std::string_view section, std::string_view what);
@@ -40,7 +41,8 @@ class AccuracyReport {
     double worst = 0;  // error as it is
     double sum = 0;
     double own = 0;          // worst without the rounding of the inputs
-    double judged = 0;       // worst of the smaller of the two
+    double judged = 0;       // worst of the smaller of the two, beyond what is stated
+    double stated = 0;       // largest
     std::string worst_at{};  // place of `judged`
   };
 
@@ -52,6 +54,7 @@ class AccuracyReport {
 
   std::vector<Line>::iterator end_of_group(const Kind& kind);  // of the lines for the same contact in the same section
   void print_errors(std::ostream& out) const;
+  void print_stated(std::ostream& out) const;
   void print_beyond(std::ostream& out, double tolerance) const;
   void print_gaps(std::ostream& out) const;
 

@@ -1,6 +1,7 @@
 // The sections of reference tables that the library covers, each with its comparison.
 #pragma once
 
+#include <exception>
 #include <string_view>
 
 #include <patchgrip/cli/accuracy/node.h>
@@ -23,6 +24,15 @@ void compare_stick_radius(const TableNode& section, AccuracyReport& report);
 void compare_viscous(const TableNode& section, AccuracyReport& report);
 void compare_local_stribeck(const TableNode& section, AccuracyReport& report);
 void compare_example_4_8(const TableNode& example, AccuracyReport& report);
+void compare_point_laws(const TableNode& section, AccuracyReport& report);
+void compare_belt(const TableNode& section, AccuracyReport& report);
+void compare_karnopp(const TableNode& section, AccuracyReport& report);
+void compare_elastoplastic_point(const TableNode& entry, AccuracyReport& report);
+void compare_return_mapping_scalar(const TableNode& section, AccuracyReport& report);
+void compare_return_mapping_disc(const TableNode& section, AccuracyReport& report);
+void compare_coast_down_limit(const TableNode& section, AccuracyReport& report);
+void compare_coast_down_stop(const TableNode& section, AccuracyReport& report);
+void compare_elastoplastic_disc(const TableNode& example, AccuracyReport& report);
 
 // `cases` name the `grasps` that they are about.
 void compare_grasps(const TableNode& grasps, const TableNode& cases, AccuracyReport& report);
@@ -33,6 +43,18 @@ void name_unread(const TableObject& object, std::string_view section, AccuracyRe
 // A row {t, gauge_N, pole, spin_sign}: the gauge over the resistance (table_contact.h), and the pole of the slip.
 void compare_gauge_load(std::string_view section, const TableContact& contact, TableObject& row,
                         AccuracyReport& report);
+
+// measure() of inputs.h; what the library refuses is told at `owner`.
+template <class Evaluate>
+auto measure_entry(const TableNode& owner, Evaluate&& evaluate) {
+  try {
+    return measure(evaluate);
+  } catch (const TableError&) {
+    throw;
+  } catch (const std::exception& error) {
+    owner.fail(error.what());
+  }
+}
 
 // The entry of a list, with its name in its place if it has one.
 TableNode named_entry(const TableNode& entry);

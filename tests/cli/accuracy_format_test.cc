@@ -142,6 +142,19 @@ TEST_F(AccuracyFormat, BadTablesAreRefusedAtTheirPlace) {
       {R"({"misc": {"example_4_8": {"l_xi": "2L", "l_eta": "L", "pole": "0,L"}}})", "pole = '0,L': a pole such as"},
       {R"({"local_stribeck": {"mu_H": "0.9", "mu_Gl": "0.5", "v_S": "-1", "F_N": "1", "rows": []}})",
        "local_stribeck = an object: "},
+      {R"({"belt_stick_slip": {"cases": [{"parameters": {"m": "-2", "k": 1, "v0": 1, "Fs": 2, "Fk": 1}}]}})",
+       "belt_stick_slip.cases[0].parameters.m = '-2': a positive number"},
+      {R"({"belt_stick_slip": {"cases": [{"parameters": {"m": 2, "k": 1, "v0": 1, "Fs": 1, "Fk": 2}}]}})",
+       "belt_stick_slip.cases[0].parameters = an object: mu_hold = 1"},
+      {R"({"karnopp": {"parameters": {"m": 1, "FN": 1, "dv": 1, "v0": 2}}})", "'x_at_10_s', or of another time"},
+      {R"({"return_mapping_hertz_disc": {"radius_m": 1, "K": [1, 1, 0], "F_N": 1, "rows": []}})",
+       "return_mapping_hertz_disc.K = a list of 3: positive stiffnesses"},
+      {R"({"return_mapping_hertz_disc": {"radius_m": 1, "K": [1, 1, 1], "F_N": 1, "rows": [{"mode": "glide"}]}})",
+       "rows[0].mode = 'glide': 'stick' or 'slip'"},
+      {R"({"misc": {"coast_down_stop": [{"contact": "hertz_disc", "m a^2/J": -1}]}})",
+       "misc.coast_down_stop[0].m a^2/J = '-1': a positive number"},
+      {R"({"misc": {"disc_example_fig_4_30": {"parameters": {"aK": 0}}}})",
+       "misc.disc_example_fig_4_30.parameters.aK = '0': a positive number"},
   };
   for (const auto& [table, message] : bad) {
     EXPECT_THAT(refusal(table), AllOf(HasSubstr(file_.string() + ":"), HasSubstr(message))) << table;

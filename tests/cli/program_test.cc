@@ -101,7 +101,7 @@ TEST_F(Program, PrintsItsVersion) {
 
 TEST_F(Program, HelpsWithEverySubcommand) {
   for (const auto* const arguments :
-       {"--help", "tabulate --help", "press --help", "limit --help", "accuracy --help", "-h"}) {
+       {"--help", "tabulate --help", "press --help", "limit --help", "simulate --help", "accuracy --help", "-h"}) {
     const Result result = run(arguments);
     EXPECT_EQ(result.code, 0) << arguments;
     EXPECT_THAT(result.out, HasSubstr("Usage: patchgrip")) << arguments;
@@ -112,7 +112,7 @@ TEST_F(Program, HelpsWithEverySubcommand) {
 TEST_F(Program, RefusesUnknownArgumentsWithCode2) {
   for (const auto* const arguments :
        {"", "tabulat x", "--hepl", "tabulate", "tabulate scenes/disc.toml extra", "accuracy", "press", "limit",
-        "limit scenes/disc.toml --pictures x.svg", "press scenes/disc.toml --tabel x",
+        "simulate", "limit scenes/disc.toml --pictures x.svg", "press scenes/disc.toml --tabel x",
         "tabulate scenes/disc.toml --output", "tabulate --no-such-option scenes/disc.toml",
         "accuracy t.json --tolerance nan", "accuracy t.json --tolerance -1", "accuracy t.json --tolerance 1e999",
         "accuracy t.json --tolerance 1x"}) {
@@ -318,6 +318,40 @@ TEST_P(Interrupt, LeavesTheOldTableAndNothingElse) {
 
 INSTANTIATE_TEST_SUITE_P(Program, Interrupt, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const auto& signal) { return std::string("Signal") + std::to_string(signal.param); });
+
+// What was found until then is written.
+TEST_P(Interrupt, KeepsTheMotionSoFar) {
+  const std::string scene = scene_text("slow", R"([contact]
+patch = "rectangle"
+sides = [0.1, 0.03]
+normal_force = 10
+[friction]
+mu = 0.5
+[body]
+mass = 1
+inertia = 0.001
+[[applied]]
+force = [6, 0]
+sine = { angular_frequency = 3 }
+[motion]
+method = "return_mapping"
+step = 1e-5
+stiffness = 1e6
+turn_stiffness = 1e3
+times = { from = 0, to = 1000, count = 100001 }
+)");
+  const auto table = folder_ / "motion.csv", json = folder_ / "answer.json";
+  const int null = open("/dev/null", O_RDWR);
+  const pid_t child = start({"simulate", scene, "-o", json.string(), "--table", table.string()}, null, null);
+  std::this_thread::sleep_for(1s);
+  kill(child, GetParam());
+  EXPECT_EQ(code_of(child), 128 + GetParam());
+  EXPECT_THAT(content(json), HasSubstr("stopped before its end: what follows t = "));
+  const std::string rows = content(table);
+  EXPECT_THAT(rows, HasSubstr("# warning: stopped before its end"));
+  EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 12);
+  close(null);
+}
 
 class Terminal : public Program {
  protected:

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/cli/simulate/simulate_scene.h>
 
 #include "scenes.h"
 
@@ -173,6 +174,17 @@ TEST_P(MutatedScene, IsAcceptedOrRefusedWithALine) {
 
 INSTANTIATE_TEST_SUITE_P(Scene, MutatedScene, ::testing::ValuesIn(files_in("scenes")),
                          [](const auto& file) { return file.param.stem().string(); });
+
+TEST(MutatedSimulation, IsAcceptedOrRefusedWithALine) {
+  const MaterialLibrary library({test::data_folder / "materials"});
+  for (const fs::path& file : files_in("scenes/simulate")) {
+    const Tally tally = try_all(file, 5, [&](const std::string& text) {
+      read_simulate_scene(TomlDocument::parse(text, file.string()), library);
+    });
+    EXPECT_GT(tally.accepted, 10) << file;
+    EXPECT_GT(tally.refused, 100) << file;
+  }
+}
 
 TEST(MutatedMaterial, IsAcceptedOrRefusedWithALine) {
   const fs::path folder = fs::path(::testing::TempDir()) / fmt::format("mutated_material_{}", ::getpid());

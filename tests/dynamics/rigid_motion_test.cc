@@ -159,6 +159,36 @@ TEST(RigidMotion, StatesAreKnownAtSamples) {
   EXPECT_NEAR(at_15.twist[2], .42749842, 1e-7);
 }
 
+// Also at the start, at a jump, at the stop, and at the end of a motion that goes on; energies there.
+TEST(RigidMotion, EverySampleIsMetOnce) {
+  const RigidMotion motion(HertzDisc::of_radius(0.2), 1, 1, Law::stribeck(1, 0.5, 0.05));
+  const auto force = [](double t) { return Vector3(0.49, 0, t >= 5 && t < 15 ? .11924 : 0); };
+  for (const double end : {10., 15., 100.}) {
+    const std::vector<double> times{0, 2, 5, 6, 10, 15, 15.5, 44.0032889204, 100};
+    std::vector<double> due, seen;
+    for (const double t : times) {
+      if (t <= end) due.push_back(t);
+    }
+    motion(pushed(force, 1, {5, 15}), {}, 0, end, {}, due, [&](double t, const PlanarState& s) {
+      seen.push_back(t);
+      const double kinetic = s.twist.squaredNorm() / 2;
+      EXPECT_NEAR(kinetic, s.work - s.dissipated, 1e-11) << t;
+      EXPECT_NEAR(s.work, 0.49 * s.place[0] + .11924 * s.place[2], t <= 15 ? 1e-10 : 1) << t;
+    });
+    EXPECT_EQ(seen, due);
+  }
+}
+
+TEST(RigidMotion, ASampleAtTheStartSeesTheStart) {
+  const RigidMotion motion(HertzDisc::of_radius(0.05), 1, 0.00125, Law::coulomb(0.5));
+  std::vector<double> speeds;
+  motion(pushed([](double) { return Vector3(Vector3::Zero()); }), moving(1, 0, 20), 0, 0.1, {}, {0, 0.05, 0.1},
+         [&](double, const PlanarState& s) { speeds.push_back(s.twist[0]); });
+  ASSERT_EQ(speeds.size(), 3u);
+  EXPECT_EQ(speeds[0], 1);
+  EXPECT_GT(speeds[1], speeds[2]);
+}
+
 // Under a ramp: F = r t leaves at mu F_N / r, and with mu_s = mu_k  m v = r (t - t_b)^2 / 2.
 TEST(RigidMotion, ARampStartsThePointMassOfTheTextbook) {
   const RigidMotion motion(HertzDisc::of_radius(0.1), 2, 0.01, Law::coulomb(0.3));

@@ -1,0 +1,62 @@
+#include <patchgrip/cli/simulate/applied.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace patchgrip::cli {
+namespace {
+
+struct Value {
+  double t;
+
+  double operator()(const ConstantCourse&) const { return 1; }
+  double operator()(const DuringCourse& c) const { return t >= c.from && t < c.to ? 1 : 0; }
+  double operator()(const RampCourse& c) const { return std::clamp((t - c.from) / (c.to - c.from), 0., 1.); }
+  double operator()(const SineCourse& c) const { return c.mean + std::sin(c.angular_frequency * t + c.phase); }
+  double operator()(const PointCourse& c) const {
+    const auto after = std::ranges::upper_bound(c.points, t, {}, [](const auto& p) { return p[0]; });
+    if (after == c.points.begin()) return c.points.front()[1];
+    if (after == c.points.end()) return c.points.back()[1];
+    const auto& [t0, y0] = *(after - 1);
+    const auto& [t1, y1] = *after;
+    return std::lerp(y0, y1, (t - t0) / (t1 - t0));
+  }
+};
+
+struct Corners {
+  std::vector<double>& all;
+
+  void operator()(const ConstantCourse&) const {}
+  void operator()(const DuringCourse& c) const { all.insert(all.end(), {c.from, c.to}); }
+  void operator()(const RampCourse& c) const { all.insert(all.end(), {c.from, c.to}); }
+  void operator()(const SineCourse&) const {}
+  void operator()(const PointCourse& c) const {
+    for (const auto& p : c.points) all.push_back(p[0]);
+  }
+};
+
+}  // namespace
+
+double value_at(const Course& course, double t) { return std::visit(Value{t}, course); }
+
+AppliedLoads::AppliedLoads(std::vector<Applied> loads)
+    : loads_(std::move(loads)), longest_step_(std::numeric_limits<double>::infinity()) {
+  for (const Applied& a : loads_) {
+    std::visit(Corners{corners_}, a.course);
+    if (const auto* sine = std::get_if<SineCourse>(&a.course))
+      longest_step_ = std::min(longest_step_, 2 * std::numbers::pi / sine->angular_frequency / 40);
+  }
+  std::ranges::sort(corners_);
+  corners_.erase(std::ranges::unique(corners_).begin(), corners_.end());
+}
+
+dynamics::Vector3 AppliedLoads::operator()(double t) const {
+  dynamics::Vector3 sum = dynamics::Vector3::Zero();
+  for (const Applied& a : loads_) sum += value_at(a.course, t) * a.wrench;
+  return sum;
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,355 @@
+#include <patchgrip/cli/simulate/simulate_patch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <optional>
+#include <vector>
+
+#include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/progress.h>
+#include <patchgrip/dynamics/bristle_body.h>
+#include <patchgrip/dynamics/bristle_motion.h>
+#include <patchgrip/dynamics/rigid_motion.h>
+#include <patchgrip/friction/limit_surface/round_gauge.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using dynamics::PlanarState;
+using friction::AnyPatch;
+using friction::LimitSurface;
+using friction::Twist;
+using friction::Wrench;
+
+Vector3 turned(const Vector3& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
+}
+
+Twist twist(const Vector3& v) { return {v[0], v[1], v[2]}; }
+Wrench wrench(const Vector3& t) { return {t[0], t[1], t[2]}; }
+
+// What every method needs of a scene.
+class Setting {
+ public:
+  Setting(const SimulateScene& simulated, bool second_run)
+      : scene(simulated),
+        second(second_run),
+        patch(any_patch(simulated.contact)),
+        surface(patch),
+        capacity(simulated.law.mu_static * simulated.contact.normal_force),
+        progress_("simulate", simulated.following.times.size(), !second_run && Progress::wanted(Progress::no_output)) {
+    for (std::size_t i = 0; i < scene.following.times.size(); ++i) times.push_back(scene.following.times[i]);
+  }
+
+  Vector3 load(double t) const {
+    InterruptGuard::check();
+    return scene.loads(t);
+  }
+
+  // g / mu_s F_N of a wrench in axes of space on the body that has turned by `angle`.
+  double share(const Vector3& t, double angle) const {
+    return capacity > 0 ? surface.gauge(wrench(turned(t, -angle))).value / capacity : not_known;
+  }
+  double margin(double t, double angle) const {
+    const double s = share(scene.loads(t), angle);
+    return s > 0 ? 1 / s - 1 : not_known;
+  }
+
+  Vector3 mass() const { return {scene.body.mass, scene.body.mass, scene.body.inertia}; }
+  double kinetic(const Vector3& v) const { return v.dot(mass().cwiseProduct(v)) / 2; }
+  double normal_force() const { return scene.contact.normal_force; }
+
+  PlanarState initial() const {
+    PlanarState s;
+    s.place = scene.body.place;
+    s.twist = scene.body.twist;
+    s.anchor = s.place;
+    return s;
+  }
+
+  void add(MotionRecord& record, MotionRow row) {
+    row.share = share(row.friction, row.place[2]);
+    record.rows.push_back(std::move(row));
+    progress_.at(record.rows.size() - 1);
+  }
+
+  const SimulateScene& scene;
+  bool second;
+  AnyPatch patch;
+  LimitSurface<AnyPatch> surface;
+  double capacity;  // mu_s F_N
+  std::vector<double> times;
+
+ private:
+  Progress progress_;
+};
+
+// --- rigid
+
+dynamics::PlanarLoad planar_load(const Setting& s) {
+  return {[&s](double t) { return s.load(t); }, [&s](double) { return s.normal_force(); }, s.scene.loads.corners()};
+}
+
+dynamics::RigidMotionSettings rigid_settings(const Setting& s) {
+  dynamics::RigidMotionSettings r{.tolerance = s.scene.following.tolerance};
+  r.longest_step = std::min({r.longest_step, s.scene.end() / 100, s.scene.loads.longest_step()});
+  if (s.second) {
+    r.tolerance = std::min(1e-3, 100 * r.tolerance);
+    r.start *= 2;
+  }
+  return r;
+}
+
+MotionEvent event_of(const Setting& s, const dynamics::SlipEvent& e) {
+  const Vector3 slip = turned({e.slip.vx, e.slip.vy, e.slip.w}, e.state.place[2]);
+  const bool stops = e.kind == dynamics::SlipEvent::Kind::stop;
+  return {stops ? "stop" : "break_away",     e.time, e.error, e.state.place, twist(slip),
+          s.margin(e.time, e.state.place[2])};
+}
+
+void simulate_rigid(Setting& s, MotionRecord& record) {
+  const SimulateScene& scene = s.scene;
+  const dynamics::RigidMotion motion(s.patch, scene.body.mass, scene.body.inertia, scene.law);
+  const auto result = motion(planar_load(s), s.initial(), 0, scene.end(), rigid_settings(s), s.times,
+                             [&](double t, const PlanarState& at) {
+                               MotionRow row{t, at.place, at.twist};
+                               row.slips = !at.twist.isZero(0);
+                               if (row.slips) {
+                                 const Twist own = twist(turned(at.twist, -at.place[2]));
+                                 const Wrench r = friction_wrench(scene.law, s.normal_force(), s.patch, own).value;
+                                 row.friction = turned({r.fx, r.fy, r.m}, at.place[2]);
+                               } else {
+                                 row.friction = -s.load(t);
+                               }
+                               row.kinetic = s.kinetic(at.twist);
+                               row.work = at.work;
+                               row.dissipated = at.dissipated;
+                               s.add(record, row);
+                             });
+  for (const auto& e : result.events) {
+    record.events.push_back(event_of(s, e));
+    if (e.kind == dynamics::SlipEvent::Kind::stop) record.rest = record.events.back();
+  }
+}
+
+// --- return mapping
+
+// Where the body comes to rest from a late step on, on a rigid patch: ringing bristles do not tell.
+std::optional<MotionEvent> rigid_stop(const Setting& s, const PlanarState& from, double t) {
+  const dynamics::RigidMotion motion(s.patch, s.scene.body.mass, s.scene.body.inertia, s.scene.law);
+  dynamics::RigidMotionSettings settings{.tolerance = 1e-10};
+  const double left = 2 * s.kinetic(from.twist) / (s.capacity * s.patch.dissipation(twist(from.twist)));
+  const auto r = motion(planar_load(s), from, t, t + 100 * left, settings);
+  if (r.events.empty() || r.events[0].kind != dynamics::SlipEvent::Kind::stop) return std::nullopt;
+  return event_of(s, r.events[0]);
+}
+
+template <class P>
+void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
+  const SimulateScene& scene = s.scene;
+  const Following& f = scene.following;
+  const BristleSettings& b = f.bristle;
+  const dynamics::BristleBody body(
+      patch, {scene.body.mass, scene.body.inertia, {b.stiffness, b.turn_stiffness}, b.damping, b.turn_damping});
+  const auto method = f.implicit_euler ? dynamics::Method::implicit_euler : dynamics::Method::sdirk2;
+  const double longest = s.second ? f.step / 2 : f.step;
+  PlanarState state = s.initial();
+  const Vector3 K(b.stiffness, b.stiffness, b.turn_stiffness);
+  if (scene.body.settled) state.anchor -= s.load(0).cwiseQuotient(K);
+  const friction::PressureMoments moments = patch.moments();
+  const auto limit = [&](double, const Vector3& v) {
+    return coefficient(scene.law, moments, twist(turned(v, -state.place[2]))) * s.normal_force();
+  };
+  const auto speed = [&](const PlanarState& x) {
+    return std::hypot(x.twist[0], x.twist[1], s.patch.area_radius() * x.twist[2]);
+  };
+  // What bent bristles can give back: slower slips than that are of their ringing.
+  const double ringing = s.capacity * s.capacity / (2 * b.stiffness);
+  double t = 0;
+  Vector3 friction = -s.load(0);
+  if (!scene.body.settled) friction.setZero();
+  bool slips = false;
+  std::optional<std::pair<double, PlanarState>> late;  // the last state that slides on for half a step, by itself
+  const auto add_row = [&] {
+    MotionRow row{t, state.place, state.twist, state.deflection(), friction};
+    row.slips = slips;
+    row.kinetic = body.kinetic_energy(state);
+    row.stored = body.stored_energy(state);
+    row.work = state.work;
+    row.dissipated = state.dissipated;
+    s.add(record, row);
+  };
+  const auto finish_slip = [&] {
+    record.events.push_back({"sticks", t, longest, state.place, std::nullopt, s.margin(t, state.place[2])});
+    if (!record.rest) record.rest = record.events.back();
+    if (late) {
+      if (auto stop = rigid_stop(s, late->second, late->first)) record.rest = std::move(stop);
+    }
+    late.reset();
+  };
+  std::size_t next = 0;
+  const auto& corners = scene.loads.corners();
+  while (next < s.times.size()) {
+    if (s.times[next] <= t) {
+      add_row();
+      ++next;
+      continue;
+    }
+    const auto corner = std::ranges::upper_bound(corners, t);
+    const double to = corner == corners.end() ? s.times[next] : std::min(s.times[next], *corner);
+    const double last = std::nextafter(to, t);
+    const auto load = [&](double at) { return s.load(std::min(at, last)); };
+    const auto steps = static_cast<long>(std::ceil((to - t) / longest * (1 - 1e-9)));
+    const double from = t, h = (to - t) / static_cast<double>(steps);
+    for (long i = 0; i < steps; ++i) {
+      const auto r = body.step(state, t, h, method, load, limit);
+      for (const double x : r.state.twist) {
+        if (!std::isfinite(x)) dynamics::refuse_step(t);
+      }
+      if (r.slips && !slips) {
+        const double D = patch.dissipation(twist(r.slip));
+        record.events.push_back(
+            {"break_away", t, longest, state.place, twist(r.slip / D), s.margin(t, state.place[2])});
+      }
+      const double before = speed(state), after = speed(r.state);
+      if (f.rest_speed && (before > *f.rest_speed) != (after > *f.rest_speed)) {
+        const double at = t + h * (before - *f.rest_speed) / (before - after);
+        record.events.push_back({"rest_speed", at, 0, r.state.place});
+      }
+      state = r.state;
+      friction = r.wrench;
+      const bool ended = slips && !r.slips;
+      slips = r.slips;
+      t = i + 1 == steps ? to : from + static_cast<double>(i + 1) * h;
+      if (ended) finish_slip();
+      const double D = slips ? s.patch.dissipation(twist(state.twist)) : 0, T = s.kinetic(state.twist);
+      if (D > 0 && s.capacity > 0 && T > std::max(h / 4 * s.capacity * D, ringing)) late = {t, state};
+    }
+  }
+}
+
+void simulate_return_mapping(Setting& s, MotionRecord& record) {
+  std::visit(
+      [&](const auto& patch) {
+        const friction::PlanarFrame& frame = s.scene.contact.frame;
+        const bool centred = frame.x == 0 && frame.y == 0;
+        if constexpr (dynamics::RoundAboutOrigin<std::decay_t<decltype(patch)>>) {
+          if (centred) return follow_bristles(s, patch, record);
+        }
+        follow_bristles(s, s.patch, record);
+      },
+      s.scene.contact.patch);
+}
+
+// --- elastoplastic
+
+template <class Surface>
+void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& record) {
+  using Motion = dynamics::BristleMotion<Surface>;
+  const SimulateScene& scene = s.scene;
+  const Following& f = scene.following;
+  const BristleSettings& b = f.bristle;
+  const friction::PressureMoments m = s.patch.moments();
+  dynamics::PatchBristleParameters p{{b.stiffness, b.stiffness, b.turn_stiffness},
+                                     {b.damping, b.damping, b.turn_damping},
+                                     b.length.value_or(s.patch.dissipation(friction::twist_about({m.x, m.y}, 1)))};
+  if (f.method == FrictionMethod::elastoplastic_printed) p.form = dynamics::BristleForm::printed;
+  p.elastic_share = b.elastic_share;
+  p.nu0.setConstant(b.nu0);
+  const Motion motion(dynamics::PatchBristle<Surface>(surface, p, scene.law, s.normal_force()), scene.body.mass,
+                      scene.body.inertia);
+  typename Motion::State y{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    y[i] = scene.body.place[static_cast<Eigen::Index>(i)];
+    y[i + 3] = scene.body.twist[static_cast<Eigen::Index>(i)];
+  }
+  if (scene.body.settled) {
+    const Vector3 kappa = turned(s.load(0), -y[2]).cwiseQuotient(p.stiffness);
+    for (std::size_t i = 0; i < 3; ++i) y[i + 6] = kappa[static_cast<Eigen::Index>(i)];
+  }
+  const auto place = [](const auto& x) { return Vector3(x[0], x[1], x[2]); };
+  // Of the springs' wrench beyond the elastic share of the limit at the present speed.
+  const auto beyond = [&](const auto& x) {
+    const Vector3 v = turned({x[3], x[4], x[5]}, x[8] - x[2]), kappa(x[6], x[7], x[8]);
+    const double limit = coefficient(scene.law, m, dynamics::zone_twist(kappa, v)) * s.normal_force();
+    return surface.gauge(dynamics::spring_wrench(p, kappa)).value - p.elastic_share * limit;
+  };
+  const auto speed = [&](const auto& x) { return std::hypot(x[3], x[4], s.patch.area_radius() * x[5]); };
+  const double tolerance = std::min(1e-3, s.second ? 100 * f.tolerance : f.tolerance);
+  const auto& corners = scene.loads.corners();
+  std::size_t next = 0;
+  double t = 0;
+  while (next < s.times.size()) {
+    const auto corner = std::ranges::upper_bound(corners, t);
+    const double end = corner == corners.end() ? s.times.back() : std::min(s.times.back(), *corner);
+    const double last = std::nextafter(end, t);
+    typename Motion::Flow flow([&](double at, const auto& x, auto& dx) { dx = motion(s.load(std::min(at, last)), x); },
+                               y, t, {tolerance, 1e-6});
+    flow.watch([&](double, const auto& x) { return beyond(x); });
+    if (f.rest_speed) flow.watch([&](double, const auto& x) { return speed(x) - *f.rest_speed; });
+    const auto note = [&](double at, const auto& x, std::size_t which) {
+      MotionEvent e{"rest_speed", at, 0, place(x)};
+      if (which == 0) {
+        e.kind = beyond(x) >= 0 ? "break_away" : "sticks";
+        e.margin = s.margin(at, x[2]);
+        if (e.kind == "break_away" && speed(x) > 0) e.slip = Twist{x[3], x[4], x[5]};
+      }
+      record.events.push_back(e);
+      return false;
+    };
+    while (next < s.times.size() && s.times[next] <= end) {
+      flow.run(s.times[next], note);
+      const auto& x = flow.state();
+      MotionRow row{flow.time(), place(x), {x[3], x[4], x[5]}};
+      row.deflection = turned({x[6], x[7], x[8]}, x[2] - x[8]);
+      row.friction = motion.wrench(x);
+      row.slips = beyond(x) >= 0;
+      row.kinetic = motion.kinetic_energy(x);
+      row.stored = motion.stored_energy(x);
+      row.work = x[9];
+      row.dissipated = x[10];
+      s.add(record, row);
+      ++next;
+    }
+    if (next < s.times.size()) flow.run(end, note);
+    y = flow.state();
+    t = end;
+  }
+}
+
+void simulate_elastoplastic(Setting& s, MotionRecord& record) {
+  std::visit(
+      [&](const auto& patch) {
+        using P = std::decay_t<decltype(patch)>;
+        const friction::PlanarFrame& frame = s.scene.contact.frame;
+        if constexpr (std::same_as<P, friction::HertzDisc> || std::same_as<P, friction::UniformDisc>) {
+          if (frame.x == 0 && frame.y == 0) return follow_elastoplastic(s, friction::RoundLimitSurface(patch), record);
+        }
+        follow_elastoplastic(s, s.surface, record);
+      },
+      s.scene.contact.patch);
+}
+
+}  // namespace
+
+void simulate_patch(const SimulateScene& scene, bool second, MotionRecord& record) {
+  Setting s(scene, second);
+  switch (scene.following.method) {
+    case FrictionMethod::return_mapping:
+      simulate_return_mapping(s, record);
+      break;
+    case FrictionMethod::elastoplastic:
+    case FrictionMethod::elastoplastic_printed:
+      simulate_elastoplastic(s, record);
+      break;
+    default:
+      simulate_rigid(s, record);
+  }
+  for (const MotionEvent& e : record.events) {
+    if (e.kind == "rest_speed") record.rest = e;
+  }
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/progress.h>
+#include <patchgrip/cli/simulate/simulate_patch.h>
+#include <patchgrip/dynamics/point_bristle.h>
+#include <patchgrip/dynamics/point_motion.h>
+#include <patchgrip/dynamics/trajectory.h>
+
+namespace patchgrip::cli {
+namespace {
+
+using dynamics::PointEvent;
+using dynamics::PointState;
+
+constexpr double nearly = 0.99;  // of the sliding friction: from there on a law without a range of stick slips
+
+struct PointSetting {
+  PointSetting(const SimulateScene& s, bool second)
+      : scene(s), progress("simulate", s.following.times.size(), !second && Progress::wanted(Progress::no_output)) {
+    for (std::size_t i = 0; i < s.following.times.size(); ++i) times.push_back(s.following.times[i]);
+    tolerance = second ? std::min(1e-3, 100 * s.following.tolerance) : s.following.tolerance;
+    longest_step = std::min({1e-2, s.end() / 100, s.loads.longest_step()});
+    if (s.body.spring > 0) longest_step = std::min(longest_step, std::sqrt(s.body.mass / s.body.spring) / 6);
+  }
+
+  double load(double t) const {
+    InterruptGuard::check();
+    return scene.loads(t)[0];
+  }
+  // What friction must carry at rest on the support.
+  double held(double t, double x) const {
+    const MovingBody& b = scene.body;
+    return scene.loads(t)[0] - b.spring * x - b.damper * b.support_speed;
+  }
+  double capacity() const { return scene.law.mu_static * scene.contact.normal_force; }
+  double margin(double t, double x) const {
+    const double q = std::fabs(held(t, x));
+    return q > 0 && capacity() > 0 ? capacity() / q - 1 : not_known;
+  }
+
+  void add(MotionRecord& record, MotionRow row) {
+    if (capacity() > 0) row.share = std::fabs(row.friction[0]) / capacity();
+    record.rows.push_back(std::move(row));
+    progress.at(record.rows.size() - 1);
+  }
+
+  const SimulateScene& scene;
+  double tolerance, longest_step;
+  std::vector<double> times;
+  Progress progress;
+};
+
+Vector3 along_x(double x) { return {x, 0, 0}; }
+
+std::string_view name_of(PointEvent::Kind kind) {
+  switch (kind) {
+    case PointEvent::Kind::break_away:
+      return "break_away";
+    case PointEvent::Kind::stop:
+      return "stop";
+    case PointEvent::Kind::turn:
+      return "turn";
+    default:
+      return "extreme";
+  }
+}
+
+void simulate_rigid_point(PointSetting& s, MotionRecord& record) {
+  const SimulateScene& scene = s.scene;
+  const MovingBody& b = scene.body;
+  const double F = scene.contact.normal_force;
+  const dynamics::PointMotion motion({b.mass, b.spring, b.damper, b.support_speed}, scene.law);
+  const auto result = motion({[&s](double t) { return s.load(t); }, [F](double) { return F; }, scene.loads.corners()},
+                             {b.place[0], b.twist[0]}, 0, scene.end(), {s.tolerance, s.longest_step}, s.times,
+                             [&](double t, const PointState& at, double friction) {
+                               MotionRow row{t, along_x(at.x), along_x(at.v)};
+                               row.friction = along_x(friction);
+                               row.slips = at.v != b.support_speed;
+                               row.kinetic = b.mass * at.v * at.v / 2;
+                               row.stored = b.spring * at.x * at.x / 2;
+                               row.work = at.load_work + at.support_work;
+                               row.dissipated = at.friction_loss + at.damper_loss;
+                               s.add(record, row);
+                             });
+  for (const PointEvent& e : result.events) {
+    record.events.push_back({name_of(e.kind), e.time, e.error, along_x(e.state.x), {}, s.margin(e.time, e.state.x)});
+    if (e.kind == PointEvent::Kind::stop) record.rest = record.events.back();
+  }
+}
+
+// x, v, kappa, work of load and support, loss.
+using Flow = dynamics::Trajectory<5>;
+
+struct Friction {
+  double force;       // R [N]
+  double kappa_rate;  // [m/s]
+  double present;     // of the present limit, >= 0: slips from `yielding` on
+};
+
+// Of the laws with a state, and of those that smooth the jump; u is the velocity relative to the support.
+class PointFriction {
+ public:
+  explicit PointFriction(const SimulateScene& scene)
+      : law_(scene.law), F_(scene.contact.normal_force), method_(scene.following.method), following_(scene.following) {
+    const BristleSettings& b = following_.bristle;
+    bristle_ = {b.stiffness, b.damping, law_.mu_viscous > 0 ? 1. : 0., b.elastic_share, b.nu0};
+  }
+
+  bool has_bristle() const { return method_ != FrictionMethod::tanh && method_ != FrictionMethod::karnopp; }
+  double stiffness() const { return has_bristle() ? bristle_.c0 : 0; }
+  // From which share of the present limit on it slips.
+  double yielding() const { return method_ == FrictionMethod::elastoplastic ? bristle_.elastic_share : nearly; }
+
+  Friction operator()(double kappa, double u, double held) const {
+    using namespace dynamics;
+    const double S = law_.mu_static * F_;
+    if (method_ == FrictionMethod::tanh) {
+      const double R = tanh_force(law_, F_, following_.steepness, u);
+      return {R + viscous_force(law_, F_, u), 0, std::tanh(following_.steepness * std::fabs(u))};
+    }
+    if (method_ == FrictionMethod::karnopp) {
+      const double R = karnopp_force(law_, F_, following_.dead_band, held, u);
+      return {R, 0, std::fabs(u) > following_.dead_band ? 1 : std::fabs(R) / S * nearly};
+    }
+    const double rate = method_ == FrictionMethod::elastoplastic ? extended_rate(bristle_, law_, F_, kappa, u)
+                                                                 : dahl_rate(bristle_, law_, F_, kappa, u);
+    const double limit = u == 0 ? S : std::fabs(stribeck_force(law_, F_, u));
+    return {bristle_force(bristle_, law_, F_, kappa, rate, u), rate,
+            limit > 0 && kappa * u < 0 ? bristle_.c0 * std::fabs(kappa) / limit : 0};
+  }
+
+ private:
+  friction::Law law_;
+  double F_;
+  FrictionMethod method_;
+  const Following& following_;
+  dynamics::PointBristle bristle_{1};
+};
+
+void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
+  const SimulateScene& scene = s.scene;
+  const MovingBody& b = scene.body;
+  const PointFriction law(scene);
+  const auto friction = [&](double t, const Flow::State& y) {
+    return law(y[2], y[1] - b.support_speed, s.held(t, y[0]));
+  };
+  Flow::State y{b.place[0], b.twist[0], 0, 0, 0};
+  if (b.settled && law.has_bristle()) y[2] = -s.held(0, y[0]) / law.stiffness();
+  const bool starts_moving = b.twist[0] != b.support_speed;
+  const auto& corners = scene.loads.corners();
+  std::size_t next = 0;
+  double t = 0;
+  while (next < s.times.size()) {
+    const auto corner = std::ranges::upper_bound(corners, t);
+    const double end = corner == corners.end() ? s.times.back() : std::min(s.times.back(), *corner);
+    const double last = std::nextafter(end, t);
+    Flow flow(
+        [&](double at, const Flow::State& x, Flow::State& dx) {
+          at = std::min(at, last);
+          const Friction R = friction(at, x);
+          const double f = s.load(at), u = x[1] - b.support_speed;
+          dx = {x[1], (f - b.spring * x[0] - b.damper * x[1] + R.force) / b.mass, R.kappa_rate,
+                f * x[1] + R.force * b.support_speed,
+                -R.force * u - law.stiffness() * x[2] * R.kappa_rate + b.damper * x[1] * x[1]};
+        },
+        y, t, {s.tolerance, 1e-6});
+    flow.watch(
+        [&](double at, const Flow::State& x) { return friction(std::min(at, last), x).present - law.yielding(); });
+    flow.watch([&](double, const Flow::State& x) { return x[1] - b.support_speed; });
+    const auto note = [&](double at, const Flow::State& x, std::size_t which) {
+      MotionEvent e{"turn", at, 0, along_x(x[0])};
+      if (which == 0) {
+        e.kind = friction(std::min(at, last), x).present >= law.yielding() ? "break_away" : "sticks";
+        e.margin = s.margin(at, x[0]);
+      }
+      record.events.push_back(e);
+      if (which == 1 && starts_moving && !record.rest) record.rest = e;
+      return false;
+    };
+    while (next < s.times.size() && s.times[next] <= end) {
+      double to = std::min(s.times[next], flow.time() + s.longest_step);
+      for (; to < s.times[next]; to = std::min(s.times[next], to + s.longest_step)) flow.run(to, note);
+      flow.run(s.times[next], note);
+      const Flow::State& x = flow.state();
+      const Friction R = friction(std::min(flow.time(), last), x);
+      MotionRow row{flow.time(), along_x(x[0]), along_x(x[1])};
+      row.deflection = along_x(-x[2]);
+      row.friction = along_x(R.force);
+      row.slips = R.present >= law.yielding();
+      row.kinetic = b.mass * x[1] * x[1] / 2;
+      row.stored = b.spring * x[0] * x[0] / 2 + law.stiffness() * x[2] * x[2] / 2;
+      row.work = x[3];
+      row.dissipated = x[4];
+      s.add(record, row);
+      ++next;
+    }
+    if (next < s.times.size()) flow.run(end, note);
+    y = flow.state();
+    t = end;
+  }
+}
+
+}  // namespace
+
+void simulate_point(const SimulateScene& scene, bool second, MotionRecord& record) {
+  PointSetting s(scene, second);
+  if (scene.following.method == FrictionMethod::rigid) return simulate_rigid_point(s, record);
+  simulate_smooth_point(s, record);
+}
+
+}  // namespace patchgrip::cli

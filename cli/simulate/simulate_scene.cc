@@ -1,0 +1,234 @@
+#include <patchgrip/cli/simulate/simulate_scene.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <patchgrip/cli/scene/friction_reader.h>
+#include <patchgrip/cli/scene/outline_reader.h>
+#include <patchgrip/cli/scene/scene.h>
+#include <patchgrip/cli/scene/sequence_reader.h>
+
+namespace patchgrip::cli {
+namespace {
+
+constexpr Quantity time_range = non_negative("a time in s");
+constexpr Quantity component = any_sign("a component of a force in N");
+constexpr Quantity speed = any_sign("a velocity in m/s");
+
+constexpr std::array<std::string_view, 8> method_names{
+    "rigid", "return_mapping", "elastoplastic", "elastoplastic_printed", "lugre", "dahl", "tanh", "karnopp"};
+
+bool has_bristles(FrictionMethod m) { return m >= FrictionMethod::return_mapping && m <= FrictionMethod::dahl; }
+
+// --- what moves
+
+dynamics::Vector3 read_pair(const TomlReader& table, std::string_view key, const Quantity& quantity,
+                            std::string_view allowed) {
+  if (!table.has(key)) return dynamics::Vector3::Zero();
+  const toml::array& xy = table.array(table.node(key), key, allowed);
+  if (xy.size() != 2) table.refuse(key, allowed);
+  return {table.number(xy[0], fmt::format("{}[0]", key), quantity),
+          table.number(xy[1], fmt::format("{}[1]", key), quantity), 0};
+}
+
+MovingBody read_body(const TomlReader& scene, bool point) {
+  if (!scene.has("body")) scene.refuse("body", "a table [body] with its 'mass'");
+  const TomlReader table = scene.table("body", {"mass", "inertia", "place", "angle", "velocity", "spin", "settled",
+                                                "spring", "damper", "support_speed"});
+  MovingBody body{.mass = table.number("mass", positive("a mass in kg"))};
+  body.place = read_pair(table, "place", any_sign("a place in m"), "a place [x, y] in m");
+  body.twist = read_pair(table, "velocity", speed, "a velocity [vx, vy] in m/s");
+  body.settled = table.flag("settled");
+  if (point) {
+    for (const std::string_view key : {"inertia", "angle", "spin"}) {
+      if (table.has(key)) table.refuse(key, "a point does not turn");
+    }
+    if (body.place[1] != 0 || body.twist[1] != 0)
+      table.refuse(body.place[1] != 0 ? "place" : "velocity", "a point moves along x: its second component is 0");
+    if (table.has("spring")) body.spring = table.number("spring", non_negative("a stiffness in N/m"));
+    if (table.has("damper")) body.damper = table.number("damper", non_negative("a damping in N s/m"));
+    if (table.has("support_speed")) body.support_speed = table.number("support_speed", speed);
+    return body;
+  }
+  for (const std::string_view key : {"spring", "damper", "support_speed"}) {
+    if (table.has(key)) table.refuse(key, "used with patch = \"point\"");
+  }
+  body.inertia = table.number("inertia", positive("a moment of inertia about the centre of mass in kg m^2"));
+  if (table.has("angle")) body.place[2] = table.number("angle", any_angle("an angle in rad"));
+  if (table.has("spin")) body.twist[2] = table.number("spin", any_sign("an angular velocity in rad/s"));
+  return body;
+}
+
+// --- what acts on it
+
+constexpr std::array<std::string_view, 4> courses{"during", "ramp", "sine", "course"};
+
+std::array<double, 2> read_span(const TomlReader& load, std::string_view key) {
+  constexpr std::string_view allowed = "two times [t1, t2] in s, the second later";
+  const toml::array& times = load.array(load.node(key), key, allowed);
+  if (times.size() != 2) load.refuse(key, allowed);
+  const double from = load.number(times[0], fmt::format("{}[0]", key), time_range);
+  const double to = load.number(times[1], fmt::format("{}[1]", key), time_range);
+  if (!(to > from)) load.refuse(key, allowed);
+  return {from, to};
+}
+
+Course read_course(const TomlReader& load) {
+  const auto has = [&](std::string_view key) { return load.has(key); };
+  if (std::ranges::count_if(courses, has) > 1)
+    load.refuse(*std::ranges::find_if(courses, has), "one of 'during', 'ramp', 'sine' and 'course'");
+  if (has("during")) {
+    const auto [from, to] = read_span(load, "during");
+    return DuringCourse{from, to};
+  }
+  if (has("ramp")) {
+    const auto [from, to] = read_span(load, "ramp");
+    return RampCourse{from, to};
+  }
+  if (has("sine")) {
+    const TomlReader sine = load.table("sine", {"angular_frequency", "phase", "mean"});
+    SineCourse c{0, sine.number("angular_frequency", positive("an angular frequency in rad/s")), 0};
+    if (sine.has("mean")) c.mean = sine.number("mean", any_sign("a mean"));
+    if (sine.has("phase")) c.phase = sine.number("phase", any_angle("a phase in rad"));
+    return c;
+  }
+  if (has("course")) {
+    constexpr std::string_view allowed = "points [[t, factor], ...] over time in s, t not falling";
+    PointCourse c{read_pairs(load, "course", allowed, time_range, any_sign("a factor of the load"))};
+    if (!std::ranges::is_sorted(c.points, {}, [](const auto& p) { return p[0]; })) load.refuse("course", allowed);
+    return c;
+  }
+  return ConstantCourse{};
+}
+
+std::vector<Applied> read_applied(const TomlReader& scene, bool point) {
+  std::vector<Applied> loads;
+  if (!scene.has("applied")) return loads;
+  for (const TomlReader& load : scene.tables("applied", {"force", "moment", "during", "ramp", "sine", "course"})) {
+    if (!load.has("force") && !load.has("moment")) load.refuse_table("needs 'force' or 'moment'");
+    dynamics::Vector3 wrench = read_pair(load, "force", component, "a force [x, y] in N");
+    if (point && wrench[1] != 0) load.refuse("force", "a point moves along x: the second component is 0");
+    if (point && load.has("moment")) load.refuse("moment", "a point does not turn");
+    if (load.has("moment")) wrench[2] = load.number("moment", any_sign("a moment in N m"));
+    loads.push_back({wrench, read_course(load)});
+  }
+  return loads;
+}
+
+// --- how it is followed
+
+void read_bristles(const TomlReader& motion, bool point, Following& f) {
+  BristleSettings& b = f.bristle;
+  b.stiffness = motion.number("stiffness", positive("the stiffness of the bristles in N/m"));
+  if (motion.has("damping")) b.damping = motion.number("damping", non_negative("a damping in N s/m"));
+  if (point) {
+    b.elastic_share = 0.9;
+  } else {
+    b.turn_stiffness = motion.number("turn_stiffness", positive("the stiffness of the bristles to turns in N m"));
+    if (motion.has("turn_damping")) b.turn_damping = motion.number("turn_damping", non_negative("a damping in N m s"));
+  }
+  if (motion.has("elastic_share"))
+    b.elastic_share = motion.number("elastic_share", {"a share of the limit", 1e-3, 0.9999});
+  if (motion.has("nu0")) b.nu0 = motion.number("nu0", positive("nu_0"));
+  if (motion.has("length")) b.length = motion.number("length", positive("the length L of the metric in m"));
+}
+
+void refuse_unused(const TomlReader& motion, const Following& f, bool point) {
+  const FrictionMethod m = f.method;
+  const bool mapping = m == FrictionMethod::return_mapping;
+  const bool plastic = m == FrictionMethod::elastoplastic || m == FrictionMethod::elastoplastic_printed;
+  const auto refuse_unless = [&](bool used, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) {
+      if (!used && motion.has(key)) motion.refuse(key, fmt::format("not used by method = \"{}\"", name_of(m)));
+    }
+  };
+  refuse_unless(has_bristles(m), {"stiffness", "damping"});
+  refuse_unless(has_bristles(m) && !point, {"turn_stiffness", "turn_damping"});
+  refuse_unless(plastic, {"elastic_share", "nu0"});
+  refuse_unless(m == FrictionMethod::elastoplastic && !point, {"length"});
+  refuse_unless(mapping, {"integrator", "step"});
+  refuse_unless(!mapping, {"tolerance"});
+  refuse_unless(m == FrictionMethod::tanh, {"steepness"});
+  refuse_unless(m == FrictionMethod::karnopp, {"dead_band"});
+}
+
+void check_method(const TomlReader& motion, FrictionMethod m, bool point) {
+  const bool of_points =
+      m == FrictionMethod::rigid || m == FrictionMethod::elastoplastic || m > FrictionMethod::elastoplastic_printed;
+  const bool of_patches = m <= FrictionMethod::elastoplastic_printed;
+  if (point && !of_points) motion.refuse("method", "of a point: rigid, elastoplastic, lugre, dahl, tanh or karnopp");
+  if (!point && !of_patches)
+    motion.refuse("method", "of a patch: rigid, return_mapping, elastoplastic or elastoplastic_printed");
+}
+
+Following read_following(const TomlReader& scene, bool point) {
+  if (!scene.has("motion")) scene.refuse("motion", "a table [motion] with 'times', and 'method' unless it is rigid");
+  const TomlReader motion = scene.table(
+      "motion", {"method", "integrator", "step", "tolerance", "stiffness", "turn_stiffness", "damping", "turn_damping",
+                 "elastic_share", "nu0", "length", "steepness", "dead_band", "rest_speed", "times"});
+  Following f;
+  if (motion.has("method")) f.method = static_cast<FrictionMethod>(motion.choice("method", method_names));
+  check_method(motion, f.method, point);
+  refuse_unused(motion, f, point);
+  if (has_bristles(f.method)) read_bristles(motion, point, f);
+  if (f.method == FrictionMethod::return_mapping) {
+    constexpr std::array<std::string_view, 2> integrators{"sdirk2", "implicit_euler"};
+    f.implicit_euler = motion.has("integrator") && motion.choice("integrator", integrators) == 1;
+    f.step = motion.number("step", positive("a step in s"));
+  }
+  if (f.method == FrictionMethod::tanh) f.steepness = motion.number("steepness", positive("the steepness a in s/m"));
+  if (f.method == FrictionMethod::karnopp) f.dead_band = motion.number("dead_band", positive("a velocity in m/s"));
+  if (motion.has("tolerance")) f.tolerance = motion.number("tolerance", {"a tolerance of a step", 1e-13, 1e-4});
+  if (motion.has("rest_speed")) f.rest_speed = motion.number("rest_speed", positive("a velocity in m/s"));
+  f.times = read_sequence(motion, "times", time_range);
+  for (std::size_t i = 0; i < f.times.size(); ++i) {
+    if (i > 0 && !(f.times[i] > f.times[i - 1])) motion.refuse("times", "times in s, each later than the one before");
+  }
+  if (static_cast<double>(f.times.size()) > most_times)
+    motion.refuse("times", fmt::format("at most {:.0f} times", most_times));
+  const double end = f.times[f.times.size() - 1];
+  if (!(end > 0)) motion.refuse("times", "times in s, the last one above 0");
+  if (f.step > 0 && end / f.step > most_steps)
+    motion.refuse("step", fmt::format("at least the last of 'times' / {:.0e}", most_steps));
+  return f;
+}
+
+friction::Law read_law(const TomlReader& scene, const Contact& contact, const Following& f) {
+  if (contact.resistance) return friction::Law::coulomb(*contact.resistance / contact.normal_force);
+  const friction::Law law = read_friction(scene);
+  if (is_local_stribeck(scene))
+    friction_table(scene).refuse("stribeck", "\"mean\": 'simulate' takes Stribeck's law in the mean");
+  if (law.mu_viscous > 0 && has_bristles(f.method) && f.method <= FrictionMethod::elastoplastic_printed)
+    friction_table(scene).refuse("mu_viscous", fmt::format("not used by method = \"{}\"", name_of(f.method)));
+  return law;
+}
+
+}  // namespace
+
+std::string_view name_of(FrictionMethod method) { return method_names[static_cast<std::size_t>(method)]; }
+
+SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLibrary& materials) {
+  const TomlReader scene = scene_table(document);
+  for (const std::string_view key : {"adhesion", "load", "loads"}) {
+    if (scene.has(key)) scene.refuse(key, "not used by 'simulate'; what acts over time is under [[applied]]");
+  }
+  if (!scene.has("contact")) scene.refuse("contact", "a table [contact] with a patch, parts or two bodies");
+  const TomlReader table = contact_table(scene);
+  const bool point = table.has("patch") && table.node("patch").as_string() != nullptr && table.text("patch") == "point";
+  std::string title = scene.has("title") ? scene.text("title") : "";
+  const MovingBody body = read_body(scene, point);
+  AppliedLoads loads(read_applied(scene, point));
+  Following following = read_following(scene, point);
+  Contact contact = read_contact(scene, materials);
+  if (!point && !(any_patch(contact).moments().polar > 0))
+    scene.refuse("contact", "a single point has patch = \"point\"; a body in the plane needs a contact with a size");
+  const friction::Law law = read_law(scene, contact, following);
+  return {std::move(title),     std::move(contact),   point, law, body, std::move(loads),
+          std::move(following), scene.place("motion")};
+}
+
+}  // namespace patchgrip::cli

@@ -1,0 +1,77 @@
+// A scene as `patchgrip simulate` reads it: a contact, its friction, the body on it, what acts on the body over time,
+// and how its motion is followed.
+//
+// The format, key by key, is in data/scenes/README.md. A contact that is a single point makes a point mass, which moves
+// along x; every other a body in the plane, with its centre of mass at the origin of the contact frame.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <patchgrip/cli/scene/contact_reader.h>
+#include <patchgrip/cli/scene/materials.h>
+#include <patchgrip/cli/scene/place.h>
+#include <patchgrip/cli/scene/sequence.h>
+#include <patchgrip/cli/scene/toml_document.h>
+#include <patchgrip/cli/simulate/applied.h>
+#include <patchgrip/friction/law.h>
+
+namespace patchgrip::cli {
+
+constexpr double most_times = 1e6;
+constexpr double most_steps = 1e9;  // of return mapping
+
+// Of bodies and of points, in the order of their names in simulate_scene.cc.
+enum class FrictionMethod { rigid, return_mapping, elastoplastic, elastoplastic_printed, lugre, dahl, tanh, karnopp };
+
+std::string_view name_of(FrictionMethod method);
+
+struct MovingBody {
+  double mass;
+  double inertia = std::numeric_limits<double>::quiet_NaN();  // none of a point
+  dynamics::Vector3 place = dynamics::Vector3::Zero();
+  dynamics::Vector3 twist = dynamics::Vector3::Zero();
+  bool settled = false;           // bristles carry the load from the start
+  double spring = 0, damper = 0;  // of a point, to the origin
+  double support_speed = 0;       // of what a point rubs on
+};
+
+struct BristleSettings {
+  double stiffness = 0, turn_stiffness = 0;  // [N/m], [N m]
+  double damping = 0, turn_damping = 0;      // [N s/m], [N m s]
+  double elastic_share = 0.99;
+  double nu0 = 1;
+  std::optional<double> length{};  // L of the metric [m]; by default M_0 / F_N
+};
+
+struct Following {
+  FrictionMethod method = FrictionMethod::rigid;
+  bool implicit_euler = false;       // in place of SDIRK2
+  double step = 0;                   // [s], of return mapping
+  double tolerance = 1e-12;          // of a step, of the others
+  BristleSettings bristle;           // of return mapping and elastoplastic bristles
+  double steepness = 0;              // a [s/m], of tanh
+  double dead_band = 0;              // [m/s], of Karnopp
+  std::optional<double> rest_speed;  // [m/s]
+  Sequence times = Sequence::of_values({0});
+};
+
+struct SimulateScene {
+  bool is_point() const noexcept { return point; }
+  double end() const noexcept { return following.times[following.times.size() - 1]; }
+
+  std::string title;
+  Contact contact;
+  bool point;
+  friction::Law law;
+  MovingBody body;
+  AppliedLoads loads;
+  Following following;
+  Place place;  // [motion]
+};
+
+// Throws SceneError.
+SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLibrary& materials);
+
+}  // namespace patchgrip::cli

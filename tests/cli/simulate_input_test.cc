@@ -1,0 +1,125 @@
+// What `patchgrip simulate` refuses, with line and reason.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include <patchgrip/cli/scene/scene_error.h>
+
+#include "simulate_scenes.h"
+
+namespace patchgrip::cli {
+namespace {
+
+using test::good_point;
+using test::good_puck;
+using test::simulate_scene;
+using test::with;
+
+struct Bad {
+  std::string name;
+  std::string text;
+  std::size_t line;
+  std::string message;
+};
+
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
+
+class BadSimulate : public ::testing::TestWithParam<Bad> {};
+
+TEST_P(BadSimulate, IsRefusedWithLineAndReason) {
+  try {
+    simulate_scene(GetParam().text);
+    FAIL() << "accepted";
+  } catch (const SceneError& error) {
+    EXPECT_EQ(error.line(), GetParam().line) << error.what();
+    EXPECT_THAT(error.what(), ::testing::HasSubstr(GetParam().message));
+  }
+}
+
+std::string puck(const std::string& from, const std::string& to) { return with(good_puck, from, to); }
+std::string point(const std::string& from, const std::string& to) { return with(good_point, from, to); }
+std::string applied(const std::string& keys) { return good_puck + "[[applied]]\n" + keys + "\n"; }
+std::string method(const std::string& keys) { return puck("method = \"rigid\"", keys); }
+
+std::vector<Bad> bad_scenes() {
+  return {
+      {"NoBody", puck("[body]\nmass = 1\ninertia = 0.00125\nvelocity = [1, 0]\nspin = 20\n", ""), 1, "body: missing"},
+      {"NoMotion", puck("[motion]\nmethod = \"rigid\"\ntimes = { from = 0, to = 0.4, count = 41 }\n", ""), 1,
+       "motion: missing"},
+      {"NoFriction", puck("[friction]\nmu = 0.5\n", ""), 1, "friction: missing"},
+      {"NoMass", puck("mass = 1\n", ""), 7, "body.mass: missing: a mass in kg"},
+      {"MassZero", puck("mass = 1", "mass = 0"), 8, "body.mass = 0: a mass in kg, from 1e-60"},
+      {"InertiaNegative", puck("0.00125", "-1"), 9, "body.inertia = -1: a moment of inertia"},
+      {"VelocityOfThree", puck("[1, 0]", "[1, 0, 0]"), 10, "body.velocity = [1, 0, 0]: a velocity [vx, vy]"},
+      {"VelocityNotFinite", puck("[1, 0]", "[nan, 0]"), 10, "body.velocity[0] = nan"},
+      {"Misspelt", puck("spin", "spn"), 11, "body.spn = 20: unknown key; did you mean 'spin'?"},
+      {"SpringOfABody", puck("spin = 20", "spring = 20"), 11, "body.spring = 20: used with patch = \"point\""},
+      {"UnknownMethod", method("method = \"rigd\""), 13,
+       "motion.method = \"rigd\": unknown name; did you mean 'rigid'?"},
+      {"MethodOfAPoint", method("method = \"lugre\""), 13, "motion.method = \"lugre\": of a patch: rigid"},
+      {"StepOfRigid", method("method = \"rigid\"\nstep = 1"), 14, "motion.step = 1: not used by method = \"rigid\""},
+      {"NoStep", method("method = \"return_mapping\"\nstiffness = 1\nturn_stiffness = 1"), 12, "motion.step: missing"},
+      {"StepZero", method("method = \"return_mapping\"\nstiffness = 1\nturn_stiffness = 1\nstep = 0"), 16,
+       "motion.step = 0: a step in s"},
+      {"StepTooShort", method("method = \"return_mapping\"\nstiffness = 1\nturn_stiffness = 1\nstep = 1e-12"), 16,
+       "motion.step = 1e-12: at least the last of 'times' / 1e+09"},
+      {"NoStiffness", method("method = \"return_mapping\"\nstep = 1"), 12, "motion.stiffness: missing"},
+      {"DampingNegative", method("method = \"elastoplastic\"\nstiffness = 1\nturn_stiffness = 1\ndamping = -1"), 16,
+       "motion.damping = -1: a damping in N s/m"},
+      {"UnknownIntegrator",
+       method("method = \"return_mapping\"\nstiffness = 1\nturn_stiffness = 1\nstep = 1\nintegrator = \"sdirk\""), 17,
+       "unknown name; did you mean 'sdirk2'?"},
+      {"ToleranceTooLarge", method("tolerance = 1"), 13, "motion.tolerance = 1: a tolerance of a step"},
+      {"TimesFall", puck("{ from = 0, to = 0.4, count = 41 }", "[0, 2, 1]"), 14, "each later than the one before"},
+      {"TimesAtZero", puck("{ from = 0, to = 0.4, count = 41 }", "0"), 14, "the last one above 0"},
+      {"TimesNegative", puck("from = 0,", "from = -1,"), 14, "motion.times.from = -1: a time in s"},
+      {"TooManyTimes", puck("count = 41", "count = 10000000"), 14, "at most 1000000 times"},
+      {"EmptyApplied", applied(""), 15, "applied[0]: needs 'force' or 'moment'"},
+      {"AppliedAsOneTable", good_puck + "[applied]\nmoment = 1\n", 15, "applied: tables, each headed [[applied]]"},
+      {"TwoCourses", applied("moment = 1\nramp = [0, 1]\nduring = [0, 1]"), 18, "one of 'during', 'ramp'"},
+      {"RampBackwards", applied("moment = 1\nramp = [2, 1]"), 17, "applied[0].ramp = [2, 1]: two times [t1, t2]"},
+      {"SineWithoutFrequency", applied("moment = 1\nsine = { mean = 1 }"), 17, "sine.angular_frequency: missing"},
+      {"CourseFalls", applied("moment = 1\ncourse = [[1, 0], [0, 1]]"), 17, "t not falling"},
+      {"LoadsOfLimit", good_puck + "[[loads]]\nmoment = 1\n", 15, "loads: not used by 'simulate'"},
+      {"LocalStribeck",
+       puck("mu = 0.5", "mu_static = 0.5\nmu_kinetic = 0.3\nstribeck_velocity = 1\nstribeck = \"local\""), 9,
+       "'simulate' takes Stribeck's law in the mean"},
+      {"ViscousBristles",
+       with(method("method = \"return_mapping\"\nstiffness = 1\nturn_stiffness = 1\nstep = 1"), "mu = 0.5",
+            "mu_viscous = 0.5"),
+       6, "not used by method = \"return_mapping\""},
+      {"PointThatTurns", point("mass = 2", "mass = 2\nspin = 1"), 8, "body.spin = 1: a point does not turn"},
+      {"PointAside", point("[3, 0]", "[3, 1]"), 8, "body.velocity = [3, 1]: a point moves along x"},
+      {"MomentOnAPoint", point("force = [1, 0]", "force = [1, 0]\nmoment = 1"), 11, "a point does not turn"},
+      {"MethodOfAPatch", point("times = [0, 1, 2]", "times = [0, 1]\nmethod = \"return_mapping\""), 14,
+       "of a point: rigid, elastoplastic"},
+      {"NoSteepness", point("times = [0, 1, 2]", "times = [0, 1]\nmethod = \"tanh\""), 12, "motion.steepness: missing"},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, BadSimulate, ::testing::ValuesIn(bad_scenes()),
+                         [](const auto& bad) { return bad.param.name; });
+
+TEST(SimulateInput, GoodScenesAreAccepted) {
+  EXPECT_NO_THROW(simulate_scene(good_puck));
+  EXPECT_NO_THROW(simulate_scene(good_point));
+  EXPECT_NO_THROW(simulate_scene(applied("force = [1, 2]\ncourse = [[0, 0], [1, 1], [1, 3]]")));
+}
+
+TEST(SimulateInput, LoadsFollowTheirCourse) {
+  const AppliedLoads loads({{{1, 0, 0}, DuringCourse{1, 2}},
+                            {{0, 1, 0}, RampCourse{1, 3}},
+                            {{0, 0, 1}, PointCourse{{{0, 1}, {2, 3}, {2, 5}, {4, 5}}}}});
+  const auto at = [&](double t) { return loads(t); };
+  EXPECT_EQ(at(0.5), dynamics::Vector3(0, 0, 1.5));
+  EXPECT_EQ(at(1), dynamics::Vector3(1, 0, 2));
+  EXPECT_EQ(at(2), dynamics::Vector3(0, 0.5, 5));
+  EXPECT_EQ(at(9), dynamics::Vector3(0, 1, 5));
+  EXPECT_EQ(loads.corners(), (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_DOUBLE_EQ(AppliedLoads({{{1, 0, 0}, SineCourse{2, 3, 0.5}}})(0.7)[0], 2 + std::sin(3 * 0.7 + 0.5));
+}
+
+}  // namespace
+}  // namespace patchgrip::cli
