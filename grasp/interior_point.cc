@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace patchgrip::grasp {
 namespace {
@@ -121,7 +122,7 @@ InteriorPoint::Status InteriorPoint::run(double tolerance, int max_iterations) n
   if (balanced_) each([](auto& b) { b.x = b.px; });
   balanced_ = false;
   renewing_ = patches_;
-  best_ = 1;
+  best_ = std::numeric_limits<double>::infinity();
   idle_ = 0;
   for (;; ++iterations_) {
     if (renewing_ && std::min(gap_, ray_) < 0.1) renew_ellipsoids();

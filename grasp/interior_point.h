@@ -122,7 +122,7 @@ class InteriorPoint {
   Vector6 b_, w1_, y_, rp_;
   double scale_ = 1, step_scale_ = 1;
   double s_ = 1, zs_ = 1, tau_ = 1, kappa_ = 1, lambda_ = 0;
-  double rds_ = 0, rl_ = 0, rg_ = 0, mean_ = 1, gap_ = 1, ray_ = 1, du_ = 0, best_ = 1;
+  double rds_ = 0, rl_ = 0, rg_ = 0, mean_ = 1, gap_ = 1, ray_ = 1, du_ = 0, best_ = 0;
   int iterations_ = 0, idle_ = 0;
 
   SquareSum M_;
