@@ -1,6 +1,7 @@
 # One folder, one target, one namespace. The functions here make targets that are alike.
 #
 #   patchgrip_library(<folder> SOURCES ... HEADERS ... [CGAL_SOURCES ...] [PUBLIC libs...] [PRIVATE libs...] [INTERNAL])
+#   patchgrip_library(<name> FOLDER <folder> ...)    an optional part of a folder, with what only it needs
 #   patchgrip_program(<name> SOURCES ... [LIBS libs...] [INSTALL])
 #   patchgrip_test(<folder>/<name> [SOURCES <name>.cc ...] [LIBS libs...] [TIMEOUT seconds])
 #
@@ -39,13 +40,16 @@ target_compile_options(
                             $<$<CONFIG:Release>:-fno-math-errno;-fno-trapping-math>)
 
 function(patchgrip_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "" "SOURCES;HEADERS;CGAL_SOURCES;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "FOLDER" "SOURCES;HEADERS;CGAL_SOURCES;PUBLIC;PRIVATE")
+  if(NOT arg_FOLDER)
+    set(arg_FOLDER ${name})
+  endif()
   set(target patchgrip_${name})
   add_library(${target} STATIC ${arg_SOURCES})
   add_library(patchgrip::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
 
-  list(TRANSFORM arg_HEADERS PREPEND ${PATCHGRIP_INCLUDE_DIR}/patchgrip/${name}/)
+  list(TRANSFORM arg_HEADERS PREPEND ${PATCHGRIP_INCLUDE_DIR}/patchgrip/${arg_FOLDER}/)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PATCHGRIP_INCLUDE_DIR} FILES ${arg_HEADERS})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PATCHGRIP_GENERATED_DIR}>)
   target_compile_features(${target} PUBLIC cxx_std_20)

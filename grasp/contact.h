@@ -24,6 +24,11 @@ struct ContactFrame {
   std::optional<Vector3> tangent;  // u, made orthogonal to the normal; any if not given
 };
 
+struct ContactForce {
+  double normal = 0;             // F [N]
+  Vector3 friction = {0, 0, 0};  // R_u, R_v [N], R_M [N m]
+};
+
 class Contact {
  public:
   Contact(const ContactFrame& frame, FrictionCone cone);

@@ -30,6 +30,12 @@ Element::Element(Kind kind, const Contact& contact, const Vector3& position, dou
   G_.col(3) = spatial(Vector3::Zero(), contact.normal());
 }
 
+Element Element::ray(const Contact& contact, const Vector3& position, double length, const Vector3& t) {
+  Element element(Kind::normal, contact, position, length);
+  element.G_.col(0) += element.T() * Vector3(t[0], t[1], t[2] / length);
+  return element;
+}
+
 Eigen::Index Element::size() const noexcept {
   switch (kind_) {
     case Kind::normal:

@@ -34,6 +34,9 @@ class Element {
   // must outlive the element.
   Element(Kind kind, const Contact& contact, const Vector3& position, double length);
 
+  // The ray F (1, t) of a cone, t = (R_u, R_v, R_M) per normal force: an element of kind `normal` with its own N.
+  static Element ray(const Contact& contact, const Vector3& position, double length, const Vector3& t);
+
   Kind kind() const noexcept { return kind_; }
   double mu() const noexcept { return mu_; }
   double moment_length() const noexcept { return e_; }

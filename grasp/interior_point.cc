@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace patchgrip::grasp {
 namespace {
@@ -121,7 +122,7 @@ InteriorPoint::Status InteriorPoint::run(double tolerance, int max_iterations) n
   if (balanced_) each([](auto& b) { b.x = b.px; });
   balanced_ = false;
   renewing_ = patches_;
-  best_ = 1;
+  best_ = std::numeric_limits<double>::infinity();
   idle_ = 0;
   for (;; ++iterations_) {
     if (renewing_ && std::min(gap_, ray_) < 0.1) renew_ellipsoids();
@@ -193,22 +194,24 @@ double InteriorPoint::residuals() noexcept {
   return std::max({primal / (1 + size / tau_), dual, std::fabs(cost - du_) / (tau_ + size)});
 }
 
-// Two parts of one contact share its cap: what they add is the square of their difference, and of their sum under it,
+// Parts of one contact share its cap: what a part adds to those before it is the square of their difference, and of
+// their sum under the cap,
 //
 //     a_1 a_1^T / p_1 + a_2 a_2^T / p_2 = (a_1 + a_2)(a_1 + a_2)^T / (p_1 + p_2) + d d^T p_1 p_2 / (p_1 + p_2)
 bool InteriorPoint::factor() noexcept {
-  for (Cap& cap : caps_) cap.parts = 0;
+  for (Cap& cap : caps_) cap.pivot = 0;
   each([&](auto& b) {
     b.scaling.set(b.x, b.z);
     b.set_squares();
     if (!capped_) return;
     Cap& cap = caps_[b.contact];
-    if (cap.parts++ == 0) {
+    b.joins = cap.pivot > 0;
+    if (!b.joins) {
       cap.pivot = b.pivot;
       cap.a = b.a;
       return;
     }
-    cap.difference = std::sqrt(b.pivot * cap.pivot / (b.pivot + cap.pivot)) * (b.a / b.pivot - cap.a / cap.pivot);
+    b.difference = std::sqrt(b.pivot * cap.pivot / (b.pivot + cap.pivot)) * (b.a / b.pivot - cap.a / cap.pivot);
     cap.pivot += b.pivot;
     cap.a += b.a;
   });
@@ -232,12 +235,10 @@ bool InteriorPoint::factor() noexcept {
     each([&](const auto& b) {
       sink(b.B);
       if (!capped_) sink(Vector6(b.a / std::sqrt(b.pivot)));
+      if (capped_ && b.joins) sink(b.difference);
     });
     if (!capped_) return;
-    for (const Cap& cap : caps_) {
-      sink(Vector6(std::sqrt(cap.h / (cap.pivot * cap.D)) * cap.a));
-      if (cap.parts == 2) sink(cap.difference);
-    }
+    for (const Cap& cap : caps_) sink(Vector6(std::sqrt(cap.h / (cap.pivot * cap.D)) * cap.a));
   };
   if (!M_.factor(emit, rank_)) return false;
   border_solved_ = M_.solve(border_);

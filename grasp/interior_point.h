@@ -71,7 +71,9 @@ class InteriorPoint {
     double cost = 0;
 
     Eigen::Matrix<double, 6, d - 1> B;
-    double pivot;  // eta^2 c
+    double pivot;        // eta^2 c
+    bool joins = false;  // a part before it has the same cap
+    Vector6 difference;  // to those parts
 
     // B, a and the pivot of the present scaling.
     void set_squares() noexcept;
@@ -85,10 +87,8 @@ class InteriorPoint {
     double h, D, q;   // slack / u, pivot, right-hand side
     double rq, rc;    // residuals
     double pivot;     // sum of eta^2 c of its parts
-    int parts;
     double dv, dslack, pv, pslack;
-    Vector6 a;           // sum of A H e_0
-    Vector6 difference;  // of two parts
+    Vector6 a;  // sum of A H e_0
   };
   struct Step {
     Vector6 y;
@@ -122,7 +122,7 @@ class InteriorPoint {
   Vector6 b_, w1_, y_, rp_;
   double scale_ = 1, step_scale_ = 1;
   double s_ = 1, zs_ = 1, tau_ = 1, kappa_ = 1, lambda_ = 0;
-  double rds_ = 0, rl_ = 0, rg_ = 0, mean_ = 1, gap_ = 1, ray_ = 1, du_ = 0, best_ = 1;
+  double rds_ = 0, rl_ = 0, rg_ = 0, mean_ = 1, gap_ = 1, ray_ = 1, du_ = 0, best_ = 0;
   int iterations_ = 0, idle_ = 0;
 
   SquareSum M_;

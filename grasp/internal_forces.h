@@ -18,11 +18,6 @@
 
 namespace patchgrip::grasp {
 
-struct ContactForce {
-  double normal = 0;             // F [N]
-  Vector3 friction = {0, 0, 0};  // R_u, R_v [N], R_M [N m]
-};
-
 struct InternalForces {
   int rank = 0;                                  // of G
   int components = 0;                            // sum d_i

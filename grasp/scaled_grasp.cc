@@ -51,8 +51,7 @@ std::vector<Element::Kind> kinds_of(const FrictionCone& cone) {
 
 }  // namespace
 
-ScaledGrasp::ScaledGrasp(const std::vector<Contact>& contacts, const std::optional<Vector3>& centre)
-    : contacts_(contacts.size()) {
+void ScaledGrasp::set_scale(const std::vector<Contact>& contacts) {
   if (contacts.empty()) throw std::invalid_argument("contacts = 0 is not allowed: a grasp has at least one contact");
   const Extent extent(contacts);
   const double far = extent.centroid.norm();
@@ -60,18 +59,30 @@ ScaledGrasp::ScaledGrasp(const std::vector<Contact>& contacts, const std::option
   // Contacts that all lie at one point have no size of their own.
   const double own = size > 1e-9 * far ? size : far;
   length_ = own > 0 ? power_of_two_near(own) : 1;
-  if (centre) {
-    centre_ = *centre;
-  } else if (far > 4 * length_) {
-    centre_ = extent.centroid;
-  }
+  if (far > 4 * length_) centre_ = extent.centroid;
   rounding_ *= 1 + far / length_;
+}
+
+ScaledGrasp::ScaledGrasp(const std::vector<Contact>& contacts, const std::optional<Vector3>& centre)
+    : contacts_(contacts.size()) {
+  set_scale(contacts);
+  if (centre) centre_ = *centre;
   parts_.reserve(2 * contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Vector3 position = (contacts[i].position() - centre_) / length_;
     for (const Element::Kind kind : kinds_of(contacts[i].cone())) {
       parts_.push_back({Element(kind, contacts[i], position, length_), i});
     }
+  }
+  find_range();
+}
+
+ScaledGrasp::ScaledGrasp(const std::vector<Contact>& contacts, std::span<const std::vector<Vector3>> rays)
+    : contacts_(contacts.size()) {
+  set_scale(contacts);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Vector3 position = (contacts[i].position() - centre_) / length_;
+    for (const Vector3& t : rays[i]) parts_.push_back({Element::ray(contacts[i], position, length_, t), i});
   }
   find_range();
 }

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <patchgrip/grasp/element.h>
@@ -24,6 +25,9 @@ class ScaledGrasp {
  public:
   // About `centre` if given. The contacts must outlive the result.
   explicit ScaledGrasp(const std::vector<Contact>& contacts, const std::optional<Vector3>& centre = std::nullopt);
+
+  // Every contact as a sum of rays (element.h): a list of their t for each.
+  ScaledGrasp(const std::vector<Contact>& contacts, std::span<const std::vector<Vector3>> rays);
 
   struct Part {
     Element element;
@@ -44,6 +48,8 @@ class ScaledGrasp {
   Vector6 scaled_twist(const Vector6& twist) const noexcept;
 
  private:
+  // Length, centre and rounding.
+  void set_scale(const std::vector<Contact>& contacts);
   void find_range();
 
   std::vector<Part> parts_;
