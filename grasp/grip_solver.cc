@@ -115,6 +115,11 @@ void GripSolver::bracket_quadratic() noexcept {
   effort_.newton_steps += quadratic_.iterations();
   bracket_.add_twist(quadratic_.twist());
   bracket_.add_forces(quadratic_.forces(), 0);
+  constexpr int most_steps = 6;
+  Vector6 certificate = quadratic_.twist();
+  for (int step = 0; step < most_steps && !decided() && quadratic_.sharpen(certificate); ++step) {
+    bracket_.add_twist(certificate);
+  }
 }
 
 void GripSolver::bracket_interior() noexcept {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +14,8 @@ constexpr double unit = 0x1p-53;
 
 // Values tell an optimum to half of the digits, slopes to nearly all.
 constexpr double value_digits = 1e-9;
+
+constexpr int most_halvings = 20;
 
 double square(double x) { return x * x; }
 
@@ -283,7 +286,7 @@ bool QuadraticGrip::solve(const Vector6& load, const Weights& weights, int max_i
   int idle = 0;
   const auto out_of_balance = [&](const Dual& at) { return at.balance.norm() / (1 + at.total); };
   double best = out_of_balance(dual);
-  for (iterations_ = 0; iterations_ < max_iterations && best > 2 * unit && idle < 4; ++iterations_) {
+  for (iterations_ = 0; iterations_ < max_iterations && best > 2 * unit && idle < 5; ++iterations_) {
     const Vector6 slope = P.transpose() * dual.balance;
     if (!factor(regular * slope.norm())) break;
     const Vector6 step = P * K_.solve(slope);
@@ -297,12 +300,17 @@ bool QuadraticGrip::solve(const Vector6& load, const Weights& weights, int max_i
       return next.value - dual.value >= 1e-4 * share * rise;
     };
     int halvings = 0;
-    for (; halvings < 40 && !better(); ++halvings) {
+    for (; halvings < most_halvings && !better(); ++halvings) {
       share /= 2;
       W = W_ + share * step;
       next = evaluate(W);
     }
-    if (halvings == 40) break;
+    if (halvings == most_halvings) {
+      // The step was the rounding of a matrix that is hardly regular.
+      ++idle;
+      regular = std::max(1e-12, 1e3 * regular);
+      continue;
+    }
     regular = std::clamp(regular * (halvings == 0 ? 0.1 : halvings > 2 ? 10 : 1), 1e-30, 1e2);
     W_ = W;
     dual = next;
@@ -316,6 +324,50 @@ bool QuadraticGrip::solve(const Vector6& load, const Weights& weights, int max_i
   residual_ = imbalance() + 2 * grasp_->rounding() * dual.total;
   upper_ = dual.squares + residual_ * W_.norm();
   return dual.balance.norm() <= 1e-12 * (1 + dual.total);
+}
+
+// One step of Newton's method for the least change: a contact that presses in the forces found, or would in the twist
+// reached, gives the row rho = 0; one that sticks T^T W = 0 as well.
+bool QuadraticGrip::sharpen(Vector6& W) const noexcept {
+  constexpr int most_rows = 48;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::ColMajor, most_rows, 6>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_rows, 1>;
+  const auto& parts = grasp_->parts();
+  W.normalize();
+  // Of rho, beyond its own rounding, so that nothing is left of it.
+  const double spare = 64 * grasp_->rounding();
+  Rows rows(most_rows, 6);
+  Column right(most_rows);
+  Eigen::Index count = 0;
+  const auto add = [&](const Vector6& row, double value) {
+    if (count == most_rows) return;
+    rows.row(count) = row.transpose();
+    right[count++] = -value;
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Element& element = parts[i].element;
+    const PartForce& x = forces_[i];
+    const double rho = element.resistance(W, 0).value + spare;
+    if (!(x.force > 0) && !(rho > 0)) continue;
+    const Vector3 d = element.sliding(W);
+    const bool rubs = element.kind() != Element::Kind::normal;
+    if (rubs && x.force > 0 && !x.on_surface && element.size() == 3) {
+      add(-element.N(), -element.N().dot(W) + spare);
+      for (Eigen::Index k = 0; k < 3; ++k) add(element.T().col(k), d[k]);
+      continue;
+    }
+    Vector6 slope = -element.N();
+    if (rubs) slope += element.mu() * (element.T() * element.gradient(d));
+    add(slope, rho);
+  }
+  if (count == 0 || count == most_rows) return false;
+  rows.conservativeResize(count, 6);
+  right.conservativeResize(count);
+  Eigen::CompleteOrthogonalDecomposition<Rows> solver;
+  solver.setThreshold(1e-6);  // near a certificate the rows are dependent but for its error
+  solver.compute(rows);
+  W += solver.solve(right);
+  return W.allFinite() && W.norm() > 0.1;
 }
 
 }  // namespace patchgrip::grasp

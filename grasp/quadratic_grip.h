@@ -48,6 +48,9 @@ class QuadraticGrip {
   bool solve(const Vector6& load, const Weights& weights, int max_iterations, double force_limit) noexcept;
 
   const Vector6& twist() const noexcept { return W_; }
+  // A twist close to the one found, moved as little as it takes to have rho_i <= 0 of the contacts that press, to rounding
+  // after a few steps: where the load is not held, by far the better certificate. False if it is lost.
+  bool sharpen(Vector6& W) const noexcept;
   std::span<const PartForce> forces() const noexcept { return forces_; }  // by part
   double lower() const noexcept { return lower_; }
   double upper() const noexcept { return upper_; }
