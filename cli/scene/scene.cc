@@ -19,7 +19,7 @@ TomlReader scene_table(const TomlDocument& document) {
           document.root(),
           "",
           {"title", "contact", "friction", "poles", "adhesion", "load", "profile", "sweep", "loads", "surface", "body",
-           "applied", "motion"}};
+           "normal_force", "applied", "motion"}};
 }
 
 Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials) {
