@@ -1,5 +1,5 @@
-// A puck that slides and spins to rest: error of its stop against CPU time and evaluations of friction, for every law and
-// integrator, in one run.
+// A puck that slides and spins to rest: error of its stop against CPU time and evaluations of friction, for every law
+// and integrator, in one run.
 //
 //     puck [--output CSV] [--short]
 //
