@@ -1,11 +1,12 @@
 // The pole that a puck comes to rest about: a body on a round patch under its centre of mass, without a load.
 //
-// With x = v / (a |w|) = r_M / a and q = m a^2 / J Coulomb's law gives dx/dt ~ q x m(x) - f(x): motion and spin end
-// together, with x at the root of
+// With x = v / (a |w|) = r_M / a and q = m a^2 / J Coulomb's law gives dx/dt ~ q x m(x) - f(x): motion and spin
+// end together, with x at the root of
 //
 //     f(x) = q x m(x),        f'(0) / m(0) < q < 1 / lim x m(x)
 //
-// (of p ~ (1 - r^2 / a^2)^(n - 1/2): n + 1 < q < 2 n + 3). Below, x tends to 0, what ends is a spin; above, to infinity.
+// (of p ~ (1 - r^2 / a^2)^(n - 1/2): n + 1 < q < 2 n + 3). Below, x tends to 0: what ends is a spin; above, to
+// infinity.
 //
 // Units    q, x [1].
 // Error    a few units of rounding times the condition of the root; tests/dynamics/coast_down_test.cc.

@@ -57,11 +57,14 @@ class Run {
     return stribeck_force(law_, F, u) + viscous_force(law_, F, u);
   }
 
+  // While it slips.
+  double acceleration(double t, const Flow::State& y) const {
+    return (force(t) - body_.spring * y[0] - body_.damper * y[1] + friction(t, y)) / body_.mass;
+  }
+
   Flow::State rates(double t, const Flow::State& y) const {
-    const double v = side_ == 0 ? body_.support_speed : y[1], R = friction(t, y), f = force(t),
-                 v0 = body_.support_speed;
-    const double a = side_ == 0 ? 0 : (f - body_.spring * y[0] - body_.damper * v + R) / body_.mass;
-    return {v, a, f * v, R * v0, -R * (v - v0), body_.damper * v * v};
+    const double v0 = body_.support_speed, v = side_ == 0 ? v0 : y[1], R = friction(t, y);
+    return {v, side_ == 0 ? 0 : acceleration(t, y), force(t) * v, R * v0, -R * (v - v0), body_.damper * v * v};
   }
 
   // The end of the smooth piece that t lies in; at the jump itself the load is that after it.
@@ -88,6 +91,10 @@ class Run {
     const double end = piece_end(), last = end < end_ ? std::nextafter(end, t_) : end;
     Flow flow([&](double t, const Flow::State& y, Flow::State& dy) { dy = rates(std::min(t, last), y); },
               to_array(state_), t_, {settings_.tolerance, std::min(1e-6, settings_.longest_step)});
+    // Where u is least comes first: between looks it may pass 0 to and fro, and is then looked for up to there.
+    if (side_ != 0)
+      flow.watch([&](double t, const Flow::State& y) { return side_ * acceleration(std::min(t, last), y); });
+    const std::size_t end_of_phase = side_ == 0 ? 0 : 1;
     flow.watch([&](double t, const Flow::State& y) {
       if (side_ != 0) return side_ * (y[1] - body_.support_speed);
       const double beyond = excess(std::min(t, last), y);
@@ -95,8 +102,8 @@ class Run {
     });
     if (side_ != 0 && body_.support_speed != 0) flow.watch([](double, const Flow::State& y) { return y[1]; });
     const auto at_event = [&](double t, const Flow::State& y, std::size_t which) {
-      if (which == 1) events_.push_back({PointEvent::Kind::extreme, t, to_state(y), 0});
-      return which == 0 && (side_ == 0 || side_ * (y[1] - body_.support_speed) <= 0);
+      if (which == 2) events_.push_back({PointEvent::Kind::extreme, t, to_state(y), 0});
+      return which == end_of_phase && (side_ == 0 || side_ * (y[1] - body_.support_speed) <= 0);
     };
     bool met = false;
     while (!met && t_ < end) {

@@ -7,17 +7,17 @@
 // A block on a belt: k the spring that holds it back, v_0 the belt. mu_h is the coefficient at rest, mu_s unless given:
 // with mu_h > mu_s friction falls at once when the point breaks away.
 //
-// Events   break-away: the root of |q| - mu_h F_N; stop: that of u, where the support holds the point; turn: that of u
-//          where it does not; extreme: x' = 0 while it slips on a support that moves. Looked for in steps of
+// Events   break-away: the root of |q| - mu_h F_N; stop: that of u, where the support holds the point; turn: that of
+//          u where it does not; extreme: x' = 0 while it slips on a support that moves. Looked for in steps of
 //          `longest_step` at most.
 // Energy   d(m x'^2 / 2 + k x^2 / 2) = f dx + R v_0 dt + R u dt - c x'^2 dt: work of load and support, loss by friction
 //          and in the damper, all of them states of the same integration.
 // Load     f(t), F_N(t) >= 0 continuous but for `jumps`, which are increasing.
 // Units    m [kg], k [N/m], c [N s/m], f, F_N [N]; t [s], x [m].
-// Error    of event times: from a run at a hundred times the tolerance. Period and amplitude of the stick-slip of a belt
-//          to 1e-12 at the tolerance 1e-15; tests/dynamics/point_motion_test.cc.
-// Throws   std::invalid_argument unless m > 0, k, c >= 0, mu_h >= mu_s, the settings are in range, times do not decrease
-//          and the load is finite with F_N >= 0; std::runtime_error as trajectory.h.
+// Error    of event times: from a run at a hundred times the tolerance. Period and amplitude of the stick-slip of a
+//          belt to 1e-12 at the tolerance 1e-15; tests/dynamics/point_motion_test.cc.
+// Throws   std::invalid_argument unless m > 0, k, c >= 0, mu_h >= mu_s, the settings are in range, times do not
+//          decrease and the load is finite with F_N >= 0; std::runtime_error as trajectory.h.
 #pragma once
 
 #include <functional>

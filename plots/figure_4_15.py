@@ -1,4 +1,4 @@
-"""Keppler 2006, figure 4.15: friction against velocity by four laws, as a point meets them that is pushed to and fro."""
+"""Keppler 2006, figure 4.15: friction against velocity by four laws, on a point pushed to and fro."""
 
 import style
 from style import BLUE, GREY, plt

@@ -1,4 +1,4 @@
-"""Keppler 2006, figure 4.18: the switch alpha of (4.35) over sliding velocity and force of the bristle, both over their limits."""
+"""Keppler 2006, figure 4.18: the switch alpha of (4.35) over sliding velocity and bristle force."""
 
 import numpy as np
 

@@ -1,7 +1,7 @@
 // Motions of a point: belt_stick_slip, karnopp, elastoplastic_scalar and misc.example_4_7_simulation.
 //
-// Times are relative to themselves (of the belt to its period), places to the largest of their motion, velocities to the first one, deflections to
-// mu_s F_N / c_0, energies to themselves.
+// Times are relative to themselves (of the belt to its period), places to the largest of their motion, velocities to
+// the first one, deflections to mu_s F_N / c_0, energies to themselves.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -22,7 +22,7 @@ class AccuracyReport {
     bool operator==(const Kind&) const = default;
   };
 
-  // `stated` is the accuracy that the table claims for the entry, relative to the same scale: as much more may be wrong.
+  // `stated` is the accuracy that the table claims for the entry, relative to the same scale: as much is let pass.
   void add(const Kind& kind, const Deviation& error, std::string_view place, double stated = 0);
 
   // `what` of `section`, once more.

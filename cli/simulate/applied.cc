@@ -42,13 +42,22 @@ struct Corners {
 
 double value_at(const Course& course, double t) { return std::visit(Value{t}, course); }
 
-AppliedLoads::AppliedLoads(std::vector<Applied> loads)
+void add_corners(const Course& course, std::vector<double>& corners) { std::visit(Corners{corners}, course); }
+
+double longest_step(const Course& course) {
+  const auto* sine = std::get_if<SineCourse>(&course);
+  return sine != nullptr ? 2 * std::numbers::pi / sine->angular_frequency / 40
+                         : std::numeric_limits<double>::infinity();
+}
+
+AppliedLoads::AppliedLoads(std::vector<Applied> loads, const std::vector<Course>& others)
     : loads_(std::move(loads)), longest_step_(std::numeric_limits<double>::infinity()) {
-  for (const Applied& a : loads_) {
-    std::visit(Corners{corners_}, a.course);
-    if (const auto* sine = std::get_if<SineCourse>(&a.course))
-      longest_step_ = std::min(longest_step_, 2 * std::numbers::pi / sine->angular_frequency / 40);
-  }
+  const auto see = [&](const Course& course) {
+    add_corners(course, corners_);
+    longest_step_ = std::min(longest_step_, cli::longest_step(course));
+  };
+  for (const Applied& a : loads_) see(a.course);
+  std::ranges::for_each(others, see);
   std::ranges::sort(corners_);
   corners_.erase(std::ranges::unique(corners_).begin(), corners_.end());
 }

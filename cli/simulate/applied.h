@@ -36,6 +36,12 @@ using Course = std::variant<ConstantCourse, DuringCourse, RampCourse, SineCourse
 
 double value_at(const Course& course, double t);
 
+// Where it jumps or has a corner, in any order.
+void add_corners(const Course& course, std::vector<double>& corners);
+
+// A step that sees it: 1/40 of the period of a sine, else infinite.
+double longest_step(const Course& course);
+
 struct Applied {
   dynamics::Vector3 wrench;
   Course course;
@@ -43,13 +49,12 @@ struct Applied {
 
 class AppliedLoads {
  public:
-  explicit AppliedLoads(std::vector<Applied> loads);
+  // `others` are courses of what else changes, whose corners and steps count, too.
+  explicit AppliedLoads(std::vector<Applied> loads, const std::vector<Course>& others = {});
 
   dynamics::Vector3 operator()(double t) const;
 
-  // Where the load jumps or has a corner, increasing.
-  const std::vector<double>& corners() const noexcept { return corners_; }
-  // A step that sees the fastest of the sines, 1/40 of its period; infinite without one.
+  const std::vector<double>& corners() const noexcept { return corners_; }  // increasing
   double longest_step() const noexcept { return longest_step_; }
 
  private:

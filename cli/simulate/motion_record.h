@@ -1,7 +1,7 @@
 // What a simulation has found so far: a row at each of the times that were asked for, and the events between them.
 //
-// Errors   the difference from a second run, with a hundred times the tolerance of a step or, twice that difference, with
-//          half of the step: an estimate. Of a place the largest until then, and the tolerance of a step.
+// Errors   estimates: the difference from a second run with a hundred times the tolerance of a step, or twice that from
+//          one with half of the step. Of a place the largest until then, and the tolerance of a step.
 #pragma once
 
 #include <optional>
@@ -45,9 +45,8 @@ struct MotionRecord {
   std::vector<std::string> warnings;
 };
 
-// `factor` times the differences from another record of the same times become errors; events are matched in their order, as
-// long as they are of the same kind.
-// What is already there as an error of an event is added to.
+// `factor` times the differences from another record of the same times become errors; events are matched in their
+// order, as long as they are of the same kind. What is already there as an error of an event is added to.
 void estimate_errors(MotionRecord& record, const MotionRecord& other, double factor, double tolerance);
 
 // How far the anchor moved over the support from the first to the last row of every spell of stick, summed up [m].

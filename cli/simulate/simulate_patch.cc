@@ -38,7 +38,6 @@ class Setting {
         second(second_run),
         patch(any_patch(simulated.contact)),
         surface(patch),
-        capacity(simulated.law.mu_static * simulated.contact.normal_force),
         progress_("simulate", simulated.following.times.size(), !second_run && Progress::wanted(Progress::no_output)) {
     for (std::size_t i = 0; i < scene.following.times.size(); ++i) times.push_back(scene.following.times[i]);
   }
@@ -49,17 +48,17 @@ class Setting {
   }
 
   // g / mu_s F_N of a wrench in axes of space on the body that has turned by `angle`.
-  double share(const Vector3& t, double angle) const {
-    return capacity > 0 ? surface.gauge(wrench(turned(t, -angle))).value / capacity : not_known;
+  double share(double t, const Vector3& on, double angle) const {
+    const double capacity = scene.capacity(t);
+    return capacity > 0 ? surface.gauge(wrench(turned(on, -angle))).value / capacity : not_known;
   }
   double margin(double t, double angle) const {
-    const double s = share(scene.loads(t), angle);
+    const double s = share(t, scene.loads(t), angle);
     return s > 0 ? 1 / s - 1 : not_known;
   }
 
   Vector3 mass() const { return {scene.body.mass, scene.body.mass, scene.body.inertia}; }
   double kinetic(const Vector3& v) const { return v.dot(mass().cwiseProduct(v)) / 2; }
-  double normal_force() const { return scene.contact.normal_force; }
 
   PlanarState initial() const {
     PlanarState s;
@@ -70,7 +69,7 @@ class Setting {
   }
 
   void add(MotionRecord& record, MotionRow row) {
-    row.share = share(row.friction, row.place[2]);
+    row.share = share(row.time, row.friction, row.place[2]);
     record.rows.push_back(std::move(row));
     progress_.at(record.rows.size() - 1);
   }
@@ -79,7 +78,6 @@ class Setting {
   bool second;
   AnyPatch patch;
   LimitSurface<AnyPatch> surface;
-  double capacity;  // mu_s F_N
   std::vector<double> times;
 
  private:
@@ -89,7 +87,8 @@ class Setting {
 // --- rigid
 
 dynamics::PlanarLoad planar_load(const Setting& s) {
-  return {[&s](double t) { return s.load(t); }, [&s](double) { return s.normal_force(); }, s.scene.loads.corners()};
+  return {[&s](double t) { return s.load(t); }, [&s](double t) { return s.scene.normal_force(t); },
+          s.scene.loads.corners()};
 }
 
 dynamics::RigidMotionSettings rigid_settings(const Setting& s) {
@@ -118,7 +117,7 @@ void simulate_rigid(Setting& s, MotionRecord& record) {
                                row.slips = !at.twist.isZero(0);
                                if (row.slips) {
                                  const Twist own = twist(turned(at.twist, -at.place[2]));
-                                 const Wrench r = friction_wrench(scene.law, s.normal_force(), s.patch, own).value;
+                                 const Wrench r = friction_wrench(scene.law, scene.normal_force(t), s.patch, own).value;
                                  row.friction = turned({r.fx, r.fy, r.m}, at.place[2]);
                                } else {
                                  row.friction = -s.load(t);
@@ -140,7 +139,7 @@ void simulate_rigid(Setting& s, MotionRecord& record) {
 std::optional<MotionEvent> rigid_stop(const Setting& s, const PlanarState& from, double t) {
   const dynamics::RigidMotion motion(s.patch, s.scene.body.mass, s.scene.body.inertia, s.scene.law);
   dynamics::RigidMotionSettings settings{.tolerance = 1e-10};
-  const double left = 2 * s.kinetic(from.twist) / (s.capacity * s.patch.dissipation(twist(from.twist)));
+  const double left = 2 * s.kinetic(from.twist) / (s.scene.capacity(t) * s.patch.dissipation(twist(from.twist)));
   const auto r = motion(planar_load(s), from, t, t + 100 * left, settings);
   if (r.events.empty() || r.events[0].kind != dynamics::SlipEvent::Kind::stop) return std::nullopt;
   return event_of(s, r.events[0]);
@@ -159,14 +158,15 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
   const Vector3 K(b.stiffness, b.stiffness, b.turn_stiffness);
   if (scene.body.settled) state.anchor -= s.load(0).cwiseQuotient(K);
   const friction::PressureMoments moments = patch.moments();
-  const auto limit = [&](double, const Vector3& v) {
-    return coefficient(scene.law, moments, twist(turned(v, -state.place[2]))) * s.normal_force();
+  double last = 0;  // just before a corner
+  const auto limit = [&](double at, const Vector3& v) {
+    return coefficient(scene.law, moments, twist(turned(v, -state.place[2]))) * scene.normal_force(std::min(at, last));
   };
   const auto speed = [&](const PlanarState& x) {
     return std::hypot(x.twist[0], x.twist[1], s.patch.area_radius() * x.twist[2]);
   };
   // What bent bristles can give back: slower slips than that are of their ringing.
-  const double ringing = s.capacity * s.capacity / (2 * b.stiffness);
+  const auto ringing = [&](double capacity) { return capacity * capacity / (2 * b.stiffness); };
   double t = 0;
   Vector3 friction = -s.load(0);
   if (!scene.body.settled) friction.setZero();
@@ -199,7 +199,7 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
     }
     const auto corner = std::ranges::upper_bound(corners, t);
     const double to = corner == corners.end() ? s.times[next] : std::min(s.times[next], *corner);
-    const double last = std::nextafter(to, t);
+    last = std::nextafter(to, t);
     const auto load = [&](double at) { return s.load(std::min(at, last)); };
     const auto steps = static_cast<long>(std::ceil((to - t) / longest * (1 - 1e-9)));
     const double from = t, h = (to - t) / static_cast<double>(steps);
@@ -225,7 +225,8 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
       t = i + 1 == steps ? to : from + static_cast<double>(i + 1) * h;
       if (ended) finish_slip();
       const double D = slips ? s.patch.dissipation(twist(state.twist)) : 0, T = s.kinetic(state.twist);
-      if (D > 0 && s.capacity > 0 && T > std::max(h / 4 * s.capacity * D, ringing)) late = {t, state};
+      const double capacity = scene.capacity(t);
+      if (D > 0 && capacity > 0 && T > std::max(h / 4 * capacity * D, ringing(capacity))) late = {t, state};
     }
   }
 }
@@ -258,8 +259,8 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
   if (f.method == FrictionMethod::elastoplastic_printed) p.form = dynamics::BristleForm::printed;
   p.elastic_share = b.elastic_share;
   p.nu0.setConstant(b.nu0);
-  const Motion motion(dynamics::PatchBristle<Surface>(surface, p, scene.law, s.normal_force()), scene.body.mass,
-                      scene.body.inertia);
+  const Motion motion(dynamics::PatchBristle<Surface>(surface, p, scene.law, scene.contact.normal_force),
+                      scene.body.mass, scene.body.inertia);
   typename Motion::State y{};
   for (std::size_t i = 0; i < 3; ++i) {
     y[i] = scene.body.place[static_cast<Eigen::Index>(i)];
@@ -273,7 +274,7 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
   // Of the springs' wrench beyond the elastic share of the limit at the present speed.
   const auto beyond = [&](const auto& x) {
     const Vector3 v = turned({x[3], x[4], x[5]}, x[8] - x[2]), kappa(x[6], x[7], x[8]);
-    const double limit = coefficient(scene.law, m, dynamics::zone_twist(kappa, v)) * s.normal_force();
+    const double limit = coefficient(scene.law, m, dynamics::zone_twist(kappa, v)) * scene.contact.normal_force;
     return surface.gauge(dynamics::spring_wrench(p, kappa)).value - p.elastic_share * limit;
   };
   const auto speed = [&](const auto& x) { return std::hypot(x[3], x[4], s.patch.area_radius() * x[5]); };

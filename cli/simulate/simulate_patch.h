@@ -6,8 +6,8 @@
 
 namespace patchgrip::cli {
 
-// Adds to `record` as it goes: what is there stays when it throws. The `second` run takes half of the step, or a hundred
-// times the tolerance. Throws SceneError, Interrupted, and std::runtime_error where steps come to nothing.
+// Adds to `record` as it goes: what is there stays when it throws. The `second` run takes half of the step, or a
+// hundred times the tolerance. Throws SceneError, Interrupted, and std::runtime_error where steps come to nothing.
 void simulate_patch(const SimulateScene& scene, bool second, MotionRecord& record);
 
 // The same for a point mass.

@@ -35,14 +35,15 @@ struct PointSetting {
     const MovingBody& b = scene.body;
     return scene.loads(t)[0] - b.spring * x - b.damper * b.support_speed;
   }
-  double capacity() const { return scene.law.mu_static * scene.contact.normal_force; }
   double margin(double t, double x) const {
     const double q = std::fabs(held(t, x));
-    return q > 0 && capacity() > 0 ? capacity() / q - 1 : not_known;
+    const double capacity = scene.capacity(t);
+    return q > 0 && capacity > 0 ? capacity / q - 1 : not_known;
   }
 
   void add(MotionRecord& record, MotionRow row) {
-    if (capacity() > 0) row.share = std::fabs(row.friction[0]) / capacity();
+    const double capacity = scene.capacity(row.time);
+    if (capacity > 0) row.share = std::fabs(row.friction[0]) / capacity;
     record.rows.push_back(std::move(row));
     progress.at(record.rows.size() - 1);
   }
@@ -71,9 +72,9 @@ std::string_view name_of(PointEvent::Kind kind) {
 void simulate_rigid_point(PointSetting& s, MotionRecord& record) {
   const SimulateScene& scene = s.scene;
   const MovingBody& b = scene.body;
-  const double F = scene.contact.normal_force;
   const dynamics::PointMotion motion({b.mass, b.spring, b.damper, b.support_speed}, scene.law);
-  const auto result = motion({[&s](double t) { return s.load(t); }, [F](double) { return F; }, scene.loads.corners()},
+  const auto result = motion({[&s](double t) { return s.load(t); },
+                              [&scene](double t) { return scene.normal_force(t); }, scene.loads.corners()},
                              {b.place[0], b.twist[0]}, 0, scene.end(), {s.tolerance, s.longest_step}, s.times,
                              [&](double t, const PointState& at, double friction) {
                                MotionRow row{t, along_x(at.x), along_x(at.v)};
@@ -104,7 +105,7 @@ struct Friction {
 class PointFriction {
  public:
   explicit PointFriction(const SimulateScene& scene)
-      : law_(scene.law), F_(scene.contact.normal_force), method_(scene.following.method), following_(scene.following) {
+      : law_(scene.law), method_(scene.following.method), following_(scene.following) {
     const BristleSettings& b = following_.bristle;
     bristle_ = {b.stiffness, b.damping, law_.mu_viscous > 0 ? 1. : 0., b.elastic_share, b.nu0};
   }
@@ -114,27 +115,27 @@ class PointFriction {
   // From which share of the present limit on it slips.
   double yielding() const { return method_ == FrictionMethod::elastoplastic ? bristle_.elastic_share : nearly; }
 
-  Friction operator()(double kappa, double u, double held) const {
+  // Under the normal force F.
+  Friction operator()(double F, double kappa, double u, double held) const {
     using namespace dynamics;
-    const double S = law_.mu_static * F_;
+    const double S = law_.mu_static * F;
     if (method_ == FrictionMethod::tanh) {
-      const double R = tanh_force(law_, F_, following_.steepness, u);
-      return {R + viscous_force(law_, F_, u), 0, std::tanh(following_.steepness * std::fabs(u))};
+      const double R = tanh_force(law_, F, following_.steepness, u);
+      return {R + viscous_force(law_, F, u), 0, std::tanh(following_.steepness * std::fabs(u))};
     }
     if (method_ == FrictionMethod::karnopp) {
-      const double R = karnopp_force(law_, F_, following_.dead_band, held, u);
+      const double R = karnopp_force(law_, F, following_.dead_band, held, u);
       return {R, 0, std::fabs(u) > following_.dead_band ? 1 : std::fabs(R) / S * nearly};
     }
-    const double rate = method_ == FrictionMethod::elastoplastic ? extended_rate(bristle_, law_, F_, kappa, u)
-                                                                 : dahl_rate(bristle_, law_, F_, kappa, u);
-    const double limit = u == 0 ? S : std::fabs(stribeck_force(law_, F_, u));
-    return {bristle_force(bristle_, law_, F_, kappa, rate, u), rate,
+    const double rate = method_ == FrictionMethod::elastoplastic ? extended_rate(bristle_, law_, F, kappa, u)
+                                                                 : dahl_rate(bristle_, law_, F, kappa, u);
+    const double limit = u == 0 ? S : std::fabs(stribeck_force(law_, F, u));
+    return {bristle_force(bristle_, law_, F, kappa, rate, u), rate,
             limit > 0 && kappa * u < 0 ? bristle_.c0 * std::fabs(kappa) / limit : 0};
   }
 
  private:
   friction::Law law_;
-  double F_;
   FrictionMethod method_;
   const Following& following_;
   dynamics::PointBristle bristle_{1};
@@ -145,7 +146,7 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
   const MovingBody& b = scene.body;
   const PointFriction law(scene);
   const auto friction = [&](double t, const Flow::State& y) {
-    return law(y[2], y[1] - b.support_speed, s.held(t, y[0]));
+    return law(scene.normal_force(t), y[2], y[1] - b.support_speed, s.held(t, y[0]));
   };
   Flow::State y{b.place[0], b.twist[0], 0, 0, 0};
   if (b.settled && law.has_bristle()) y[2] = -s.held(0, y[0]) / law.stiffness();

@@ -105,6 +105,20 @@ Course read_course(const TomlReader& load) {
   return ConstantCourse{};
 }
 
+// The normal force over time, of a patch that keeps its size.
+Course read_pressing(const TomlReader& scene, FrictionMethod method) {
+  if (!scene.has("normal_force")) return ConstantCourse{};
+  const TomlReader table = scene.table("normal_force", courses);
+  const TomlReader contact = contact_table(scene);
+  if (!contact.has("patch")) scene.refuse("normal_force", "used with a 'patch', whose size does not change");
+  const std::string patch = contact.text("patch");
+  if (patch == "hertz_disc" || patch == "hertz_ellipse")
+    scene.refuse("normal_force", "used with a patch that keeps its size; that of a Hertz contact follows the force");
+  if (patch != "point" && (method == FrictionMethod::elastoplastic || method == FrictionMethod::elastoplastic_printed))
+    scene.refuse("normal_force", fmt::format("not used by method = \"{}\" of a patch", name_of(method)));
+  return read_course(table);
+}
+
 std::vector<Applied> read_applied(const TomlReader& scene, bool point) {
   std::vector<Applied> loads;
   if (!scene.has("applied")) return loads;
@@ -221,13 +235,14 @@ SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLi
   const bool point = table.has("patch") && table.node("patch").as_string() != nullptr && table.text("patch") == "point";
   std::string title = scene.has("title") ? scene.text("title") : "";
   const MovingBody body = read_body(scene, point);
-  AppliedLoads loads(read_applied(scene, point));
   Following following = read_following(scene, point);
+  const Course pressing = read_pressing(scene, following.method);
+  AppliedLoads loads(read_applied(scene, point), {pressing});
   Contact contact = read_contact(scene, materials);
   if (!point && !(any_patch(contact).moments().polar > 0))
     scene.refuse("contact", "a single point has patch = \"point\"; a body in the plane needs a contact with a size");
   const friction::Law law = read_law(scene, contact, following);
-  return {std::move(title),     std::move(contact),   point, law, body, std::move(loads),
+  return {std::move(title),     std::move(contact),   point, law, body, std::move(loads), pressing,
           std::move(following), scene.place("motion")};
 }
 

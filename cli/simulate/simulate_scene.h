@@ -15,6 +15,7 @@
 #include <patchgrip/cli/scene/sequence.h>
 #include <patchgrip/cli/scene/toml_document.h>
 #include <patchgrip/cli/simulate/applied.h>
+#include <patchgrip/contact/require.h>
 #include <patchgrip/friction/law.h>
 
 namespace patchgrip::cli {
@@ -61,12 +62,19 @@ struct SimulateScene {
   bool is_point() const noexcept { return point; }
   double end() const noexcept { return following.times[following.times.size() - 1]; }
 
+  // F_N [N]. Throws std::invalid_argument where it is negative.
+  double normal_force(double t) const {
+    return contact::require_non_negative("normal_force", contact.normal_force * value_at(pressing, t));
+  }
+  double capacity(double t) const { return law.mu_static * normal_force(t); }  // mu_s F_N
+
   std::string title;
   Contact contact;
   bool point;
   friction::Law law;
   MovingBody body;
   AppliedLoads loads;
+  Course pressing;  // of the normal force
   Following following;
   Place place;  // [motion]
 };

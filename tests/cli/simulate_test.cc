@@ -104,6 +104,26 @@ TEST_F(Simulate, ARampBreaksAwayWhereTheTextbookSays) {
   EXPECT_NEAR(a.table["v_m_per_s"][2], 0.625 + 2.5, 1e-10);
 }
 
+// Pressed less and less, 10 N (1 - t / 2): what is pulled by 2 N breaks away at mu F_N = 2 N. Then
+// m v' = 2 - 5 (1 - t / 2).
+TEST_F(Simulate, ANormalForceThatFallsLetsGo) {
+  std::string text =
+      with(with(good_point, "velocity = [3, 0]\n", ""), "force = [1, 0]\nramp = [0, 1]", "force = [2, 0]");
+  text += "[normal_force]\ncourse = [[0, 1], [2, 0]]\n";
+  const Answer point = answer_to(text);
+  EXPECT_NEAR(point.value("break_away"), 1.2, 1e-12);
+  EXPECT_NEAR(point.table["v_m_per_s"].back(), 2.5 / 2 * 0.8 * 0.8 / 2, 1e-10);
+  text = with(with(text, "patch = \"point\"", "patch = \"uniform_disc\"\nradius = 0.01"), "mass = 2",
+              "mass = 2\ninertia = 1\nsettled = true");
+  const Answer disc = answer_to(text);
+  EXPECT_NEAR(disc.value("break_away"), 1.2, 1e-9);
+  EXPECT_NEAR(disc.table["vx_m_per_s"].back(), 0.4, 1e-6);
+  const Answer mapped = answer_to(with(
+      text, "times =", "method = \"return_mapping\"\nstep = 1e-4\nstiffness = 1e7\nturn_stiffness = 1e3\ntimes ="));
+  EXPECT_NEAR(mapped.value("break_away"), 1.2, 2e-4);
+  EXPECT_NEAR(mapped.table["vx_m_per_s"].back(), 0.4, 1e-4);
+}
+
 // Any patch, any place of it: a rectangle that is turned, off the centre of mass, by bristles and without.
 TEST_F(Simulate, AnyPatchIsFollowedByEveryMethod) {
   const std::string block =

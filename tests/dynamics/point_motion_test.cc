@@ -21,7 +21,7 @@ const auto no_force = [](double) { return 0.; };
 // With om = sqrt(k / m) and d = (F_s - F_k) / k: stick 2 d / v_0, slip (pi + 2 phi) / om, phi = atan2(v_0, om d),
 // amplitude |(d, v_0 / om)| about F_k / k.
 TEST(PointMotion, ABeltDrivesALimitCycle) {
-  for (const double v0 : {0.05, -0.05, 0.4}) {
+  for (const double v0 : {0.05, -0.05, 0.4, 20.}) {
     const double m = 2, k = 800, Fs = 12, Fk = 7, om = std::sqrt(k / m), d = (Fs - Fk) / k, speed = std::fabs(v0);
     const double slip = (std::numbers::pi + 2 * std::atan2(speed, om * d)) / om, stick = 2 * d / speed;
     const PointMotion motion({m, k, 0, v0}, Law::coulomb(Fk), Fs);
@@ -39,14 +39,15 @@ TEST(PointMotion, ABeltDrivesALimitCycle) {
     EXPECT_EQ(events[0].kind, Kind::break_away);
     EXPECT_EQ(events[1].kind, Kind::stop);
     EXPECT_NEAR(events[0].time, Fs / (k * speed), 1e-14);
-    EXPECT_NEAR(events[1].time - events[0].time, slip, 1e-13);
-    EXPECT_NEAR(events[2].time - events[0].time, slip + stick, 2e-13);
-    EXPECT_NEAR(std::fabs(extremes.at(0) - extremes.at(1)) / 2, std::hypot(d, speed / om), 1e-15);
+    EXPECT_NEAR(events[1].time - events[0].time, slip, 1e-12);
+    EXPECT_NEAR(events[2].time - events[0].time, slip + stick, 1e-12);
+    EXPECT_NEAR(std::fabs(extremes.at(0) - extremes.at(1)) / 2, std::hypot(d, speed / om), 1e-14);
     EXPECT_LE(events[1].error, 1e-10);
     // What the belt gives is what friction takes, over a cycle.
     const PointState &a = events[0].state, &b = events[2].state;
-    EXPECT_NEAR(b.support_work - a.support_work, Fk * (speed * slip + 2 * d), 1e-12);
-    EXPECT_NEAR(b.friction_loss - a.friction_loss, b.support_work - a.support_work, 1e-12);
+    const double work = Fk * (speed * slip + 2 * d);
+    EXPECT_NEAR(b.support_work - a.support_work, work, 1e-11 * work);
+    EXPECT_NEAR(b.friction_loss - a.friction_loss, work, 1e-11 * work);
   }
 }
 

@@ -1,0 +1,190 @@
+// A puck that slides and spins to rest: error of its stop against CPU time and evaluations of friction, for every law
+// and integrator, in one run.
+//
+//     puck [--output CSV] [--short]
+//
+// 1 kg, R = 0.05 m, J = m R^2 / 2, v = 1 m/s, w = 20 rad/s, mu = 0.5, g = 9.81 m/s^2. The error of a law with bristles
+// tends to what their give makes of the stop; it is told where the puck would stop by its last state that still slides
+// for half a step, or at 0.01 m/s: 2 T / mu F_N D(v) later. --short repeats less and leaves out the finest.
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <patchgrip/bench/command_line.h>
+#include <patchgrip/dynamics/bristle_body.h>
+#include <patchgrip/dynamics/bristle_motion.h>
+#include <patchgrip/dynamics/rigid_motion.h>
+#include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/limit_surface/round_gauge.h>
+#include <patchgrip/friction/uniform_disc.h>
+#include <patchgrip/version.h>
+
+namespace {
+
+using namespace patchgrip::dynamics;
+using namespace patchgrip::friction;
+
+constexpr double R = 0.05, J = R * R / 2, F_N = 9.81, mu = 0.5, L = mu * F_N, horizon = 0.4;
+
+struct Stop {
+  double time, distance;
+  long evaluations;  // of friction
+};
+
+const auto no_load = [](double) { return Vector3(Vector3::Zero()); };
+
+double kinetic(const Vector3& v) { return (v[0] * v[0] + v[1] * v[1] + J * v[2] * v[2]) / 2; }
+
+// Where constant deceleration takes it from here; it moves on by half of its speed.
+template <class P>
+Stop stop_from(const P& disc, double t, const Vector3& place, const Vector3& v, long evaluations) {
+  const double rest = 2 * kinetic(v) / (L * disc.dissipation({v[0], v[1], v[2]}));
+  return {t + rest, place[0] + v[0] * rest / 2, evaluations};
+}
+
+PlanarState start() {
+  PlanarState s;
+  s.twist = {1, 0, 20};
+  return s;
+}
+
+template <class P>
+Stop rigid(const P& disc, double tolerance) {
+  const auto r = RigidMotion(disc, 1, J, Law::coulomb(mu))({no_load, [](double) { return F_N; }}, start(), 0, horizon,
+                                                           {.tolerance = tolerance});
+  return {r.events.at(0).time, r.state.place[0], r.evaluations};
+}
+
+template <class P>
+Stop return_mapping(const P& disc, double k, Method method, double h) {
+  const BristleBody body(disc, {1, J, {k, k * R * R / 2}});
+  PlanarState s = start(), last = s;
+  double at = 0;
+  long evaluations = 0;
+  const auto steps = static_cast<long>(std::ceil(horizon / h));
+  for (long i = 0; i < steps; ++i) {
+    const StepResult r =
+        body.step(s, h * static_cast<double>(i), h, method, no_load, [](double, const Vector3&) { return L; });
+    evaluations += method == Method::sdirk2 ? 2 : 1;
+    s = r.state;
+    if (!r.slips) break;
+    const Vector3& v = s.twist;
+    if (kinetic(v) > h / 4 * L * disc.dissipation({v[0], v[1], v[2]})) last = s, at = h * static_cast<double>(i + 1);
+  }
+  return stop_from(disc, at, last.place, last.twist, evaluations);
+}
+
+template <class P>
+auto elastoplastic_motion(const P& disc, double k) {
+  using Surface = RoundLimitSurface<P>;
+  return BristleMotion<Surface>(
+      PatchBristle<Surface>(Surface(disc), {{k, k, k * R * R / 2}, {0, 0, 0}, R}, Law::coulomb(mu), F_N), 1, J);
+}
+
+constexpr double slow = 0.01;  // [m/s]
+
+template <class P>
+Stop elastoplastic(const P& disc, double k, double tolerance) {
+  const auto motion = elastoplastic_motion(disc, k);
+  using Motion = decltype(motion);
+  using Flow = typename std::decay_t<Motion>::Flow;
+  typename Flow::State y{};
+  y[3] = 1, y[5] = 20;
+  Flow flow([&](double, const auto& x, auto& dx) { dx = motion(Vector3::Zero(), x); }, y, 0, {.tolerance = tolerance});
+  flow.watch([](double, const auto& x) { return std::hypot(x[3], x[4], R * x[5]) - slow; });
+  flow.run(horizon, [](double, const auto&, std::size_t) { return true; });
+  const auto& x = flow.state();
+  return stop_from(disc, flow.time(), {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, flow.evaluations());
+}
+
+// Steps of Runge and Kutta, all alike.
+template <class P>
+Stop elastoplastic_rk4(const P& disc, double k, double h) {
+  const auto motion = elastoplastic_motion(disc, k);
+  using State = typename std::decay_t<decltype(motion)>::State;
+  const auto rates = [&](const State& x) { return motion(Vector3::Zero(), x); };
+  const auto moved = [](State x, double step, const State& dx) {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += step * dx[i];
+    return x;
+  };
+  State y{};
+  y[3] = 1, y[5] = 20;
+  long evaluations = 0;
+  double t = 0;
+  while (t < horizon && std::hypot(y[3], y[4], R * y[5]) > slow) {
+    const State a = rates(y), b = rates(moved(y, h / 2, a)), c = rates(moved(y, h / 2, b)), d = rates(moved(y, h, c));
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+    t += h;
+    evaluations += 4;
+  }
+  return stop_from(disc, t, {y[0], y[1], y[2]}, {y[3], y[4], y[5]}, evaluations);
+}
+
+struct Truth {
+  const char* name;
+  double time, distance;
+};
+
+// Least CPU time of a run [us].
+template <class Run>
+double least_time(const Run& run, double seconds) {
+  double least = std::numeric_limits<double>::infinity(), spent = 0;
+  do {
+    const std::clock_t begin = std::clock();
+    int n = 0;
+    while (std::clock() - begin < CLOCKS_PER_SEC / 1000) run(), ++n;
+    const double s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    least = std::min(least, s / n);
+    spent += s;
+  } while (spent < seconds);
+  return 1e6 * least;
+}
+
+template <class P>
+void measure(const Truth& truth, const P& disc, bool is_short, std::ostream& csv) {
+  fmt::print(
+      "{:<12} law             integrator       setting  error of stop [s]  of distance [m]  evaluations       us\n",
+      truth.name);
+  const auto row = [&](const char* law, const char* integrator, double setting, const auto& run) {
+    const Stop stop = run();
+    const double us = least_time(run, is_short ? 0.01 : 0.1);
+    const double time = std::fabs(stop.time - truth.time), way = std::fabs(stop.distance - truth.distance);
+    fmt::print("{:<12} {:<15} {:<15} {:>8.1e} {:>18.1e} {:>16.1e} {:>12} {:>8.1f}\n", truth.name, law, integrator,
+               setting, time, way, stop.evaluations, us);
+    fmt::print(csv, "{},{},{},{:e},{:e},{:e},{},{:e}\n", truth.name, law, integrator, setting, time, way,
+               stop.evaluations, us);
+  };
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13})
+    row("rigid", "stretched", tolerance, [&] { return rigid(disc, tolerance); });
+  std::vector<double> steps{1e-2, 4e-3, 2e-3, 1e-3, 4e-4, 1e-4};
+  if (!is_short) steps.push_back(2e-5);
+  for (const double h : steps)
+    row("return_mapping", "sdirk2", h, [&] { return return_mapping(disc, 1e8, Method::sdirk2, h); });
+  for (const double h : steps)
+    row("return_mapping", "implicit_euler", h, [&] { return return_mapping(disc, 1e8, Method::implicit_euler, h); });
+  for (const double tolerance : {1e-4, 1e-6, 1e-8})
+    row("elastoplastic", "dopri5", tolerance, [&] { return elastoplastic(disc, 1e5, tolerance); });
+  for (const double h : {1e-4, 4e-5, 1e-5})
+    row("elastoplastic", "rk4", h, [&] { return elastoplastic_rk4(disc, 1e5, h); });
+  fmt::print("\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  patchgrip::bench::CommandLine line("puck", "A puck slides to rest: error of the stop against time, for every law.",
+                                     "repeat each measurement fewer times");
+  line.read(argc, argv);
+  std::ostringstream csv;
+  fmt::print(csv, "# patchgrip {} puck\n", patchgrip::version);
+  fmt::print(csv, "disc,law,integrator,setting,stop_error_s,distance_error_m,evaluations,us\n");
+  measure({"hertz_disc", .28808448600715, .12928855096844}, HertzDisc::of_radius(R), line.is_short, csv);
+  measure({"uniform_disc", .27325143366306, .12994846567449}, UniformDisc::of_radius(R), line.is_short, csv);
+  return line.write([&](std::ostream& file) { file << csv.str(); });
+}
