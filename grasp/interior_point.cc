@@ -14,6 +14,12 @@ double largest(const V& v) {
   return v.cwiseAbs().maxCoeff();
 }
 
+// By more than rounding.
+template <int d>
+bool is_inside(const lorentz::Vector<d>& x) {
+  return lorentz::is_well_inside<d>(x) || least_eigenvalue<d>(x) > 1e-15 * x[0];
+}
+
 }  // namespace
 
 template <int d>
@@ -25,7 +31,7 @@ void InteriorPoint::Block<d>::set_squares() noexcept {
   // (1 - c^-1/2) / |w_1|^2 = 2 (1 - c^-1/2) / (c - 1)
   const double root = std::sqrt(c);
   const double share = 2 / (root * (1 + root));
-  B = std::sqrt(scaling.eta2) * (A.template rightCols<d - 1>() - (share * q) * w1.transpose());
+  B = scaling.eta * (A.template rightCols<d - 1>() - (share * q) * w1.transpose());
   a = scaling.eta2 * (c * A.col(0) + 2 * w0 * q);
   pivot = scaling.eta2 * c;
 }
@@ -271,11 +277,10 @@ InteriorPoint::Step InteriorPoint::solve(double eta, double rs) noexcept {
     if constexpr (corrector) {
       t -= eta * b.scaling.H(b.rd);
     } else {
+      if (b.cost == 0) return;
       t.setZero();
-      if (b.cost != 0) {
-        t[0] = -b.cost;
-        t = b.scaling.H(t);
-      }
+      t[0] = -b.cost;
+      t = b.scaling.H(t);
     }
     right.noalias() -= b.A * t;
     if (capped_) caps_[b.contact].q -= t[0];
@@ -320,13 +325,16 @@ InteriorPoint::Step InteriorPoint::solve(double eta, double rs) noexcept {
   return step;
 }
 
-double InteriorPoint::longest(const Step& step, double dtau, double dkappa) noexcept {
-  double a = std::numeric_limits<double>::max();
+// Largest step that leaves no cone, at most `most`: only what leaves its cone with the step so far makes it shorter.
+double InteriorPoint::longest(const Step& step, double dtau, double dkappa, double most) noexcept {
+  double a = most;
   const auto limit = [&](double x, double dx) {
-    if (dx < 0) a = std::min(a, -x / dx);
+    if (x + a * dx < 0) a = -x / dx;
   };
   each([&]<int d>(const Block<d>& b) {
-    a = std::min({a, lorentz::step_to_boundary<d>(b.x, b.dx), lorentz::step_to_boundary<d>(b.z, b.dz)});
+    using V = lorentz::Vector<d>;
+    if (!lorentz::is_well_inside<d>(V(b.x + a * b.dx))) a = std::min(a, lorentz::step_to_boundary<d>(b.x, b.dx));
+    if (!lorentz::is_well_inside<d>(V(b.z + a * b.dz))) a = std::min(a, lorentz::step_to_boundary<d>(b.z, b.dz));
   });
   if (capped_) {
     for (const Cap& cap : caps_) {
@@ -379,7 +387,7 @@ bool InteriorPoint::advance() noexcept {
   each([](auto& b) { b.rx = -b.x; });
   for (Cap& cap : caps_) cap.rc = -cap.slack;
   direction(1, -s_, -tau_ * kappa_);
-  const double affine = std::min(1.0, longest(step, dtau, dkappa));
+  const double affine = longest(step, dtau, dkappa, 1);
   const double sigma = (1 - affine) * (1 - affine) * (1 - affine);
   const double target = sigma * mean_;
   // Corrector
@@ -395,14 +403,11 @@ bool InteriorPoint::advance() noexcept {
   }
   const double rs = has_s ? (target - s_ * zs_ - step.border * step.dzs) / zs_ : 0;
   direction(1 - sigma, rs, target - tau_ * kappa_ - dtau * dkappa);
-  double a = std::min(1.0, 0.99 * longest(step, dtau, dkappa));
+  double a = 0.99 * longest(step, dtau, dkappa, 1 / 0.99);
   if (!(a > 1e-7)) return false;
   const auto inside = [&] {
     bool all = true;
-    each([&]<int d>(const Block<d>& b) {
-      const lorentz::Vector<d> x = b.x + a * b.dx, z = b.z + a * b.dz;
-      all = all && least_eigenvalue<d>(x) > 1e-15 * x[0] && least_eigenvalue<d>(z) > 1e-15 * z[0];
-    });
+    each([&]<int d>(const Block<d>& b) { all = all && is_inside<d>(b.x + a * b.dx) && is_inside<d>(b.z + a * b.dz); });
     return all;
   };
   for (int tries = 0; tries < 30 && !inside(); ++tries) a *= 0.7;

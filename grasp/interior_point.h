@@ -108,7 +108,7 @@ class InteriorPoint {
   template <bool corrector>
   Step solve(double eta, double rs) noexcept;
   Step reduced(const Vector6& right, double corner) const noexcept;
-  double longest(const Step& step, double dtau, double dkappa) noexcept;
+  double longest(const Step& step, double dtau, double dkappa, double most) noexcept;
   bool advance() noexcept;
 
   const ScaledGrasp* grasp_;

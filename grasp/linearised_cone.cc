@@ -85,7 +85,7 @@ LinearisedGrip linearised_least_grip(const std::vector<Contact>& contacts, const
   interior.start(problem);
   std::vector<PartForce> forces(grasp.parts().size());
   // Step by step: where few edges bear, the matrix of the twist becomes singular before the tolerance is met.
-  for (const double share : {1e2, 1e1, 1., 1e-1}) {
+  for (const double share : {1e2, 3e1, 1e1, 3., 1., 0.3, 0.1}) {
     const double tolerance = share * settings.interior_tolerance;
     const InteriorPoint::Status status = interior.run(tolerance, settings.max_iterations);
     bracket.add_twist(interior.twist());

@@ -15,8 +15,8 @@
 // "holds", at any k. The error is of second order in 1/k, the work of first order, of second for soft elliptic fingers.
 //
 // Units    as contact.h and spatial.h.
-// Error    [lower, upper] of the linear programme, mostly 1e-8 apart, 1e-6 where few edges bear; of the cut the bounds
-//          above.
+// Error    [lower, upper] of the linear programme, mostly 1e-8 apart, up to 1e-5 where few edges bear; of the cut the
+//          bounds above.
 // Throws   std::invalid_argument unless k is a multiple of 4 in [4, 1024]; on exact patches; and as Grasp does.
 #pragma once
 

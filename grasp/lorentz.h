@@ -38,6 +38,13 @@ double determinant(const Vector<d>& x) {
   return (x[0] - size) * (x[0] + size);
 }
 
+// Inside by so much that no root is needed to see it.
+template <int d>
+bool is_well_inside(const Vector<d>& x) {
+  const double most = x[0] * x[0];
+  return x[0] > 0 && most - tail<d>(x).squaredNorm() > 1e-12 * most;
+}
+
 template <int d>
 Vector<d> reflected(Vector<d> x) {
   x.template tail<d - 1>() *= -1;
@@ -82,7 +89,7 @@ double step_to_boundary(const Vector<d>& x, const Vector<d>& s) {
 template <int d>
 struct Scaling {
   Vector<d> w = Vector<d>::Unit(0);
-  double eta2 = 1;  // eta^2
+  double eta2 = 1, eta = 1;  // eta^2
 
   // x and z inside the cone.
   void set(const Vector<d>& x, const Vector<d>& z) {
@@ -92,11 +99,12 @@ struct Scaling {
     const Vector<d> b = z / dz;
     w = (a + reflected<d>(b)) / std::sqrt(2 * (1 + a.dot(b)));
     eta2 = dx / dz;
+    eta = std::sqrt(eta2);
   }
 
   Vector<d> H(const Vector<d>& u) const { return eta2 * (2 * w.dot(u) * w - reflected<d>(u)); }
-  Vector<d> T(const Vector<d>& u) const { return std::sqrt(eta2) * applied(w, u); }
-  Vector<d> inverse_T(const Vector<d>& u) const { return applied(reflected<d>(w), u) / std::sqrt(eta2); }
+  Vector<d> T(const Vector<d>& u) const { return eta * applied(w, u); }
+  Vector<d> inverse_T(const Vector<d>& u) const { return applied(reflected<d>(w), u) / eta; }
 
  private:
   static Vector<d> applied(const Vector<d>& a, const Vector<d>& u) {

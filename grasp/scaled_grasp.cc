@@ -1,11 +1,12 @@
 #include <patchgrip/grasp/scaled_grasp.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include <patchgrip/grasp/square_sum.h>
 
 namespace patchgrip::grasp {
 namespace {
@@ -87,22 +88,23 @@ ScaledGrasp::ScaledGrasp(const std::vector<Contact>& contacts, std::span<const s
   find_range();
 }
 
-// Singular values and vectors of all columns of G, friction moments in units of the moment length, by a QR
-// decomposition that takes contact by contact: squaring G would hide what is below 1e-8.
+// By a QR decomposition of all columns of G, friction moments in units of the moment length, that takes contact by
+// contact: squaring G would hide what is below 1e-8. R^-1 is as good as singular vectors unless the rank is in doubt.
 void ScaledGrasp::find_range() {
-  using Stack = Eigen::Matrix<double, 10, 6>;
-  Stack stack = Stack::Zero();
+  TriangleOfRows triangle;
   for (const Part& part : parts_) {
     Matrix64 columns = part.element.G();
     columns.rightCols<3>() *= part.element.surrogate();
-    stack.bottomRows<4>() = columns.transpose();
-    const Eigen::HouseholderQR<Stack> qr(stack);
-    stack.setZero();
-    stack.topRows<6>() = qr.matrixQR().topRows<6>().triangularView<Eigen::Upper>();
+    triangle.add(columns);
   }
-  const Eigen::JacobiSVD<Matrix6> svd(stack.topRows<6>(), Eigen::ComputeFullV);
-  const Vector6& values = svd.singularValues();
+  const Matrix6& R = triangle.R();
   const double count = std::sqrt(static_cast<double>(parts_.size()));
+  if (R.diagonal().cwiseAbs().minCoeff() > 0) {
+    P_ = R.triangularView<Eigen::Upper>().solve(count * Matrix6::Identity());
+    if (P_.norm() * R.norm() < 1e4 * count) return;
+  }
+  const Eigen::JacobiSVD<Matrix6> svd(R, Eigen::ComputeFullV);
+  const Vector6& values = svd.singularValues();
   rank_ = 0;
   P_.setZero();
   null_.setZero();

@@ -6,13 +6,43 @@
 // `emit(sink)` must call sink(C) with the columns C; it is called once or twice.
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include <Eigen/Core>
+#include <cmath>
 #include <limits>
 
 #include <patchgrip/grasp/spatial.h>
 
 namespace patchgrip::grasp {
+
+// Upper triangular R with R^T R = sum C C^T: Householder's reflections, of only the rows that are not yet zero.
+class TriangleOfRows {
+ public:
+  template <class Columns>
+  void add(const Columns& C) {
+    constexpr int rows = Columns::ColsAtCompileTime;
+    Eigen::Matrix<double, rows, 6> below = C.transpose();
+    for (int j = 0; j < 6; ++j) {
+      const double size = std::sqrt(R_(j, j) * R_(j, j) + below.col(j).squaredNorm());
+      if (size == 0) continue;
+      const double diagonal = R_(j, j) > 0 ? -size : size;
+      const double first = R_(j, j) - diagonal;
+      // I - u u^T / (-diagonal first), u = (first, below.col(j))
+      const Eigen::Matrix<double, rows, 1> u = below.col(j) / first;
+      const double pace = -first / diagonal;
+      for (int k = j + 1; k < 6; ++k) {
+        const double dot = pace * (R_(j, k) + u.dot(below.col(k)));
+        R_(j, k) -= dot;
+        below.col(k) -= dot * u;
+      }
+      R_(j, j) = diagonal;
+    }
+  }
+
+  const Matrix6& R() const noexcept { return R_; }
+
+ private:
+  Matrix6 R_ = Matrix6::Zero();
+};
 
 class SquareSum {
  public:
@@ -20,42 +50,70 @@ class SquareSum {
   template <class Emit>
   bool factor(const Emit& emit, int rank) {
     Matrix6 M = Matrix6::Zero();
-    emit([&](const auto& C) { M.noalias() += C.lazyProduct(C.transpose()); });
+    emit([&](const auto& C) { add_square(M, C); });
     for (int j = rank; j < 6; ++j) M(j, j) = 1;
     if (!M.allFinite()) return false;
     scale_ = M.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
-    const Eigen::LLT<Matrix6> cholesky(scale_.asDiagonal() * M * scale_.asDiagonal());
-    L_ = cholesky.matrixL();
-    if (cholesky.info() == Eigen::Success && L_.diagonal().minCoeff() > smallest_pivot) return true;
-    Eigen::Matrix<double, 12, 6> stack = Eigen::Matrix<double, 12, 6>::Zero();
-    for (int j = rank; j < 6; ++j) stack(j, j) = 1;
-    emit([&]<class Columns>(const Columns& C) {
-      constexpr int rows = Columns::ColsAtCompileTime;
-      stack.bottomRows<6>().setZero();
-      stack.template middleRows<rows>(6) = C.transpose() * scale_.asDiagonal();
-      const Eigen::HouseholderQR<Eigen::Matrix<double, 12, 6>> qr(stack);
-      stack.topRows<6>() = qr.matrixQR().topRows<6>().template triangularView<Eigen::Upper>();
-    });
-    L_ = stack.topRows<6>().transpose();
+    if (factor_regular(M)) return true;
+    TriangleOfRows triangle;
+    Matrix6 left_out = Matrix6::Zero();
+    for (int j = rank; j < 6; ++j) left_out(j, j) = 1;
+    triangle.add(left_out);
+    emit([&](const auto& C) { triangle.add((scale_.asDiagonal() * C).eval()); });
+    L_ = triangle.R().transpose();
     const double largest = L_.diagonal().cwiseAbs().maxCoeff();
     for (int j = 0; j < 6; ++j) {
       if (std::fabs(L_(j, j)) < 1e-30 * largest) L_(j, j) = 1e-30 * largest;
     }
+    inverse_ = L_.diagonal().cwiseInverse();
     return L_.allFinite();
   }
 
   Vector6 solve(const Vector6& r) const {
     Vector6 x = scale_.cwiseProduct(r);
-    L_.triangularView<Eigen::Lower>().solveInPlace(x);
-    L_.triangularView<Eigen::Lower>().transpose().solveInPlace(x);
+    for (int j = 0; j < 6; ++j) {
+      x[j] *= inverse_[j];
+      for (int i = j + 1; i < 6; ++i) x[i] -= L_(i, j) * x[j];
+    }
+    for (int j = 5; j >= 0; --j) {
+      for (int i = j + 1; i < 6; ++i) x[j] -= L_(i, j) * x[i];
+      x[j] *= inverse_[j];
+    }
     return scale_.cwiseProduct(x);
   }
 
  private:
   static constexpr double smallest_pivot = 1e-5;  // of L: 1e-10 of M
 
+  // The lower triangle.
+  template <class Columns>
+  static void add_square(Matrix6& M, const Columns& C) {
+    for (int k = 0; k < Columns::ColsAtCompileTime; ++k) {
+      for (int j = 0; j < 6; ++j) {
+        for (int i = j; i < 6; ++i) M(i, j) += C(i, k) * C(j, k);
+      }
+    }
+  }
+
+  // Cholesky of the lower triangle; false at a small pivot.
+  bool factor_regular(const Matrix6& M) {
+    for (int j = 0; j < 6; ++j) {
+      for (int i = j; i < 6; ++i) L_(i, j) = scale_[i] * M(i, j) * scale_[j];
+    }
+    for (int j = 0; j < 6; ++j) {
+      for (int k = 0; k < j; ++k) {
+        for (int i = j; i < 6; ++i) L_(i, j) -= L_(i, k) * L_(j, k);
+      }
+      if (!(L_(j, j) > smallest_pivot * smallest_pivot)) return false;
+      inverse_[j] = 1 / std::sqrt(L_(j, j));
+      for (int i = j; i < 6; ++i) L_(i, j) *= inverse_[j];
+    }
+    return true;
+  }
+
   Vector6 scale_ = Vector6::Ones();
   Matrix6 L_ = Matrix6::Identity();
+  Vector6 inverse_ = Vector6::Ones();  // of its diagonal
 };
 
 }  // namespace patchgrip::grasp
