@@ -105,7 +105,6 @@ void InteriorPoint::start(const GripProblem& problem) noexcept {
 // The slip of a patch: where it slips that of the twist, where it sticks or opens the one that its friction would start.
 void InteriorPoint::renew_ellipsoids() noexcept {
   const Vector6 W = twist();
-  double largest_change = 0;
   for (std::size_t i = 0; i < cones_.size(); ++i) {
     const Element& element = grasp_->parts()[i].element;
     if (element.kind() != Element::Kind::patch) continue;
@@ -118,7 +117,6 @@ void InteriorPoint::renew_ellipsoids() noexcept {
     if (sticking > cone.z[0] || !(v.dot(from_friction) > 0)) v = from_friction;
     Matrix3 L;
     if (!element.osculating(v / std::hypot(v[0], v[1], v[2]), L)) continue;
-    largest_change = std::max(largest_change, (L - cone.L).norm() / L.norm());
     cone.L = L;
     set_cone(cone, element);
   }
