@@ -3,9 +3,9 @@
 //     stability [--output CSV] [--short]
 //
 // Example 4.7 of Keppler 2006: 1 kg, 4 m/s, F_N = 10 N, mu_s = 1, mu_k = 1/3, v_S = 0.1 m/s, damping ratio of the stick
-// 0.0707 at every stiffness. "right" is a place at t = 3 s within 5 mm of what the law itself gives: by adaptive steps, or
-// SDIRK2 of 0.1 ms, up to 2e5 N/m; stiffer by the rigid stop, from which bristles differ by less. "diverged" is beyond
-// 10 m.
+// 0.0707 at every stiffness. "right" is a place at t = 3 s within 5 mm of what the law itself gives: by adaptive steps,
+// or SDIRK2 of 0.1 ms, up to 2e5 N/m; stiffer by the rigid stop, from which bristles differ by less. "diverged" is
+// beyond 10 m.
 // Explicit steps of Runge and Kutta are stable up to 2.785 S / (c_0 v) while it slides and 2.83 sqrt(m / c_0) in stick.
 // --short takes every other step.
 #include <fmt/ostream.h>

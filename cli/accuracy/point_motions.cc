@@ -215,7 +215,7 @@ void compare_karnopp(const TableNode& node, AccuracyReport& report) {
 }
 
 void compare_elastoplastic_point(const TableNode& node, AccuracyReport& report) {
-  const std::string section = node.place();
+  const std::string& section = node.place();
   TableObject fields(node);
   Parameters p{TableObject(fields["parameters"])};
   for (const std::string_view name : {"c0", "m", "FN", "muH", "vS", "v0", "T"}) p.fields[name].positive();

@@ -59,7 +59,7 @@ AppliedLoads::AppliedLoads(std::vector<Applied> loads, const std::vector<Course>
   for (const Applied& a : loads_) see(a.course);
   std::ranges::for_each(others, see);
   std::ranges::sort(corners_);
-  corners_.erase(std::ranges::unique(corners_).begin(), corners_.end());
+  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
 }
 
 dynamics::Vector3 AppliedLoads::operator()(double t) const {

@@ -1,12 +1,16 @@
 // The comparison with reference tables: what passes and what fails.
 #include <patchgrip/cli/accuracy/accuracy.h>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -136,6 +140,34 @@ TEST_F(Accuracy, FractionsOfTheScalarReturnMappingAreCompared) {
     wrong["return_mapping_scalar"]["rows"][2]["exact"][i] = "123/12400";
     EXPECT_EQ(compare(wrong.dump()).code, 1) << i;
   }
+}
+
+// Other belts than those of the committed table, both ways, from its closed forms.
+TEST_F(Accuracy, OtherBeltsAgreeToo) {
+  json table;
+  const auto text = [](double x) { return fmt::format("{}", x); };
+  for (const auto& [m, k, v0, Fs, Fk] : {std::array{0.3, 50., 0.07, 2., 1.1},
+                                         {1.7, 4000., -0.2, 9., 8.},
+                                         {20., 3., 1.5, 4., 0.5},
+                                         {5.138, 1205., -0.7042, 1.477, 1.2}}) {
+    const double om = std::sqrt(k / m), speed = std::fabs(v0), d = (Fs - Fk) / k, sign = v0 < 0 ? -1 : 1;
+    const double slip = (std::numbers::pi + 2 * std::atan2(speed, om * d)) / om, stick = 2 * d / speed;
+    const double amplitude = std::hypot(d, speed / om), loss = Fk * (speed * slip + 2 * d);
+    table["belt_stick_slip"]["cases"].push_back(
+        {{"parameters", {{"m", text(m)}, {"k", text(k)}, {"v0", text(v0)}, {"Fs", text(Fs)}, {"Fk", text(Fk)}}},
+         {"period_s", text(stick + slip)},
+         {"stick_s", text(stick)},
+         {"slip_s", text(slip)},
+         {"amplitude_m", text(amplitude)},
+         {"x_max_m", text(sign * Fk / k + amplitude)},
+         {"x_min_m", text(sign * Fk / k - amplitude)},
+         {"x_slip_start_m", text(sign * Fs / k)},
+         {"x_stick_start_m", text(sign * (2 * Fk - Fs) / k)},
+         {"loss_per_cycle_J", text(loss)},
+         {"belt_work_per_cycle_J", text(loss)}});
+  }
+  const Outcome outcome = compare(table.dump());
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
 }
 
 TEST_F(Accuracy, TheDiscIsHeldToTheAgreementOfItsSolvers) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include <patchgrip/cli/unanswered.h>
+
 #include "simulate_scenes.h"
 
 namespace patchgrip::cli {
@@ -154,6 +156,20 @@ TEST_F(Simulate, ThePrintedLawStopsElsewhere) {
   }();
   const Answer a = answer_to(text);
   EXPECT_GT(std::fabs(a.value("stop_time") - 43.936), 1);
+}
+
+TEST_F(Simulate, WhatCannotBeFollowedFurtherIsKeptSoFar) {
+  std::string text = with(good_point, "force = [1, 0]\nramp = [0, 1]", "force = [1e58, 0]\nramp = [1.5, 2]");
+  text = with(text, "[motion]", "[motion]\nmethod = \"dahl\"\nstiffness = 1e4");
+  try {
+    answer_to(text);
+    FAIL() << "followed";
+  } catch (const Unanswered& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot be followed beyond t = 1.5 s"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(test::read_motion_table(folder_ / "motion.csv")["t_s"], (std::vector<double>{0, 1}));
+  const auto json = nlohmann::json::parse(std::ifstream(folder_ / "answer.json"));
+  EXPECT_EQ(json["warnings"].size(), 1u);
 }
 
 TEST_F(Simulate, ErrorsOfTimesAndPlacesAreTold) {
