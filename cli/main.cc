@@ -87,6 +87,7 @@ struct Arguments {
   std::string surface;
   std::string picture;
   std::string vectors;
+  std::string inequalities;
   std::string question;
   std::string materials;
   std::vector<std::string> tables;
@@ -110,10 +111,11 @@ cli::MaterialLibrary materials_of(const Arguments& arguments) {
 }
 
 void refuse_clashes(const Arguments& arguments) {
-  const std::array<cli::NamedOutput, 5> outputs{{{"--output", arguments.output},
+  const std::array<cli::NamedOutput, 6> outputs{{{"--output", arguments.output},
                                                  {"--table", arguments.table},
                                                  {"--surface", arguments.surface},
                                                  {"--vectors", arguments.vectors},
+                                                 {"--inequalities", arguments.inequalities},
                                                  {"--picture", arguments.picture}}};
   cli::refuse_clashes(arguments.scene, outputs);
 }
@@ -130,7 +132,8 @@ int run_grasp(const Arguments& arguments) {
   const cli::InterruptGuard guard;
   const cli::MaterialLibrary materials = materials_of(arguments);
   refuse_clashes(arguments);
-  cli::run_grasp({arguments.scene, arguments.output, arguments.table, arguments.vectors, arguments.picture},
+  cli::run_grasp({arguments.scene, arguments.output, arguments.table, arguments.vectors, arguments.picture,
+                  arguments.inequalities},
                  arguments.question, materials);
   return done;
 }
@@ -223,6 +226,12 @@ int run(int argc, char** argv) {
   grasp->add_option("--picture", arguments.picture, ".svg file to draw contacts, forces, load and escape in")
       ->type_name("FILE");
   grasp->add_option("--vectors", arguments.vectors, ".vtk file to write normals, forces and the escape to")
+      ->type_name("FILE");
+
+  grasp
+      ->add_option(
+          "--inequalities", arguments.inequalities,
+          ".dat-s file to write the grip of the first load to, as linear matrix inequalities for SDPA and others")
       ->type_name("FILE");
 
   CLI::App* simulate = add_scene_command("simulate", about_simulate);

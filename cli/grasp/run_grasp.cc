@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <list>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <patchgrip/cli/grasp/grasp_scene.h>
 #include <patchgrip/cli/output_file.h>
 #include <patchgrip/cli/scene/scene_error.h>
+#include <patchgrip/grasp/lmi.h>
 #include <patchgrip/version.h>
 
 namespace patchgrip::cli {
@@ -34,11 +36,24 @@ std::vector<std::string> head_of(const GraspFiles& files, const GraspScene& scen
   return head;
 }
 
+std::string inequalities_of(const GraspScene& scene) {
+  using grasp::Objective;
+  if (scene.question != GraspQuestion::least_grip && scene.question != GraspQuestion::least_total_grip) {
+    throw OutputError("--inequalities writes 'least_grip' and 'least_total_grip', not other questions");
+  }
+  const bool total = scene.question == GraspQuestion::least_total_grip;
+  std::ostringstream text;
+  write_sdpa(text, grip_lmi(contacts_of(scene.contacts), scene.weight + scene.loads.front(),
+                            total ? Objective::total_force : Objective::max_force));
+  return text.str();
+}
+
 }  // namespace
 
 void run_grasp(const GraspFiles& files, const std::string& question, const MaterialLibrary& materials) {
   check_name(files.vectors, "--vectors", ".vtk");
   check_name(files.picture, "--picture", ".svg");
+  check_name(files.inequalities, "--inequalities", ".dat-s");
   const GraspScene scene = read_grasp_scene(TomlDocument::read(files.scene), materials, question);
   const GraspAnswer answer = at(scene.place, [&] { return answer_grasp(scene); });
   std::vector<std::pair<std::string, std::string>> written{{files.output, to_json(answer, scene, files.scene)}};
@@ -51,6 +66,9 @@ void run_grasp(const GraspFiles& files, const std::string& question, const Mater
     written.emplace_back(files.table, to_csv(grasp_rows(answer, scene), head_of(files, scene)));
   }
   if (!files.vectors.empty()) written.emplace_back(files.vectors, to_vtk(answer, scene));
+  if (!files.inequalities.empty()) {
+    written.emplace_back(files.inequalities, at(scene.place, [&] { return inequalities_of(scene); }));
+  }
   if (!files.picture.empty()) written.emplace_back(files.picture, picture_of(answer, scene));
   std::list<OutputFile> outputs;
   for (const auto& [path, content] : written) outputs.emplace_back(path).write(content);

@@ -14,6 +14,7 @@ struct GraspFiles {
   std::string table;         // CSV of the loads or the family; empty for none, like those below
   std::string vectors;       // .vtk
   std::string picture;       // .svg
+  std::string inequalities;  // .dat-s: the least grip of the first load as linear matrix inequalities (grasp/lmi.h)
 };
 
 // Throws SceneError, OutputError and alike; nothing is written unless all of it can be.

@@ -11,6 +11,8 @@
 #include <patchgrip/cli/grasp/grasp_files.h>
 #include <patchgrip/cli/grasp/grasp_picture.h>
 #include <patchgrip/cli/grasp/run_grasp.h>
+#include <patchgrip/cli/output_file.h>
+#include <patchgrip/cli/scene/scene_error.h>
 
 #include "grasp_scenes.h"
 #include "scratch_folder.h"
@@ -168,7 +170,7 @@ using GraspFilesTest = test::ScratchFolder;
 
 TEST_F(GraspFilesTest, AreWritten) {
   const std::string scene = (test::grasp_folder / "cup.toml").string();
-  run_grasp({scene, path("cup.json"), path("cup.csv"), path("cup.vtk"), path("cup.svg")}, "",
+  run_grasp({scene, path("cup.json"), path("cup.csv"), path("cup.vtk"), path("cup.svg"), ""}, "",
             MaterialLibrary({test::data_folder / "materials"}));
   for (const char* name : {"cup.json", "cup.csv", "cup.vtk", "cup.svg"}) {
     EXPECT_GT(std::filesystem::file_size(folder_ / name), 500U) << name;
@@ -179,10 +181,30 @@ TEST_F(GraspFilesTest, AreWritten) {
 TEST_F(GraspFilesTest, BearTheNamesOfTheirKinds) {
   const std::string scene = (test::grasp_folder / "cup.toml").string();
   const MaterialLibrary materials({test::data_folder / "materials"});
-  EXPECT_THROW(run_grasp({scene, path("a.json"), "", path("a.svg"), ""}, "", materials), std::runtime_error);
-  EXPECT_THROW(run_grasp({scene, path("a.json"), "", "", path("a.vtk")}, "", materials), std::runtime_error);
-  EXPECT_THROW(run_grasp({scene, path("a.json"), path("a.csv"), "", ""}, "held_ball", materials), std::runtime_error);
+  EXPECT_THROW(run_grasp({scene, path("a.json"), "", path("a.svg"), "", ""}, "", materials), std::runtime_error);
+  EXPECT_THROW(run_grasp({scene, path("a.json"), "", "", path("a.vtk"), ""}, "", materials), std::runtime_error);
+  EXPECT_THROW(run_grasp({scene, path("a.json"), path("a.csv"), "", "", ""}, "held_ball", materials),
+               std::runtime_error);
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(GraspFilesTest, HoldInequalitiesOfConesThatAreSome) {
+  const MaterialLibrary materials({test::data_folder / "materials"});
+  const std::string scene = (test::grasp_folder / "friction_needed.toml").string();
+  run_grasp({scene, path("a.json"), "", "", "", path("a.dat-s")}, "", materials);
+  std::ifstream in(path("a.dat-s"));
+  std::string line;
+  int unknowns = 0, blocks = 0;
+  std::getline(in, line);  // a comment
+  (in >> unknowns).ignore(100, '\n');
+  in >> blocks;
+  EXPECT_EQ(unknowns, 6 + 2);  // the twist, and a force each
+  EXPECT_EQ(blocks, 2 + 1);
+  const std::string patches = (test::grasp_folder / "pinch.toml").string();
+  EXPECT_THROW(run_grasp({patches, path("b.json"), "", "", "", path("b.dat-s")}, "", materials), SceneError);
+  const std::string turn = (test::grasp_folder / "cannot_turn.toml").string();
+  EXPECT_THROW(run_grasp({turn, path("b.json"), "", "", "", path("b.dat-s")}, "distance", materials), OutputError);
+  EXPECT_FALSE(std::filesystem::exists(path("b.json")));
 }
 
 TEST(GraspPicture, DrawsEveryScene) {
