@@ -110,9 +110,13 @@ const GripAnswer& Grasp::distance(const Vector6& load, double length) {
   problem.metric = grasp.length() / length;
   about_origin_->solver.solve(problem, false);
   const Bracket& bracket = about_origin_->solver.bracket();
+  // Rounding hides a distance of 0: that the load is held, other forces have to say.
+  const bool none = bracket.lower() == 0 && bracket.upper() <= 1e-12;
+  const bool held = none && least_grip(load).verdict == Verdict::holds;
   report(*about_origin_, problem, size, 1, 0);
-  const double distance = (bracket.lower() + bracket.upper()) / 2;
-  answer_.escape_twist *= size * distance;
+  if (held) answer_.verdict = Verdict::holds;
+  const double distance = answer_.value;
+  report_contacts(grasp, bracket.forces(), bracket.twist(), size, distance);
   return answer_;
 }
 
@@ -146,6 +150,9 @@ void Grasp::report(const Workspace& from, const GripProblem& problem, double siz
   answer_.upper = value_scale * bracket.upper();
   answer_.charged = bracket.charged();
   answer_.balance_residual = bracket.residual();
+  if (factor && std::isfinite(bracket.lower())) {
+    answer_.balance_residual /= problem.load.norm() + std::fabs(bracket.lower()) * problem.step.norm();
+  }
   answer_.effort = from.solver.effort();
   if (factor) {
     answer_.verdict = std::isfinite(answer_.lower) ? Verdict::holds : Verdict::undecided;

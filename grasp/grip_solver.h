@@ -40,9 +40,6 @@ class GripSolver {
   // The largest share of the upper bound that a charge of first order may be for it to count.
   static constexpr double largest_charge = 1e-3;
 
-  // One more twist for the bracket.
-  void add_twist(const Vector6& W) noexcept { bracket_.add_twist(W); }
-
   const Bracket& bracket() const noexcept { return bracket_; }
   const Polish& polish() const noexcept { return polish_; }
   const Effort& effort() const noexcept { return effort_; }

@@ -41,7 +41,9 @@ GrowingGrip least_growing_grip(const std::vector<GrowingContact>& contacts, cons
   for (const double x : load) contact::require_finite("load", x);
   GrowingGrip grip;
   if (load.isZero(0)) {
-    grip.verdict = Verdict::holds;
+    grip.verdict = grip.lower_answer.verdict = grip.upper_answer.verdict = Verdict::holds;
+    grip.lower_answer.contacts.resize(contacts.size());
+    grip.upper_answer.contacts.resize(contacts.size());
     return grip;
   }
   std::vector<double> forces(contacts.size());
@@ -55,7 +57,7 @@ GrowingGrip least_growing_grip(const std::vector<GrowingContact>& contacts, cons
   const double start = std::log(size_of(load, contacts));
   double low = start, high = start;
   while (excess(high) > 0 && high < start + std::log(settings.force_limit)) high += 1;
-  while (excess(low) < 0) low -= 1;
+  while (excess(low) < 0 && low > start - std::log(settings.force_limit)) low -= 1;
   double s = std::exp(high);
   if (low < high && excess(high) <= 0) {
     std::uintmax_t most = 100;

@@ -238,6 +238,7 @@ HeldBall held_ball(const std::vector<Contact>& contacts, GripMeasure measure, do
   }
   const auto met = [&] { return open.top().bound >= (1 - settings.relative_width) * ball.upper; };
   while (ball.simplices < settings.max_simplices && !met()) {
+    if (settings.check_interrupt) settings.check_interrupt();
     auto [first, second] = halves(open.top());
     const double inherited = open.top().bound;
     open.pop();

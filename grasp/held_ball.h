@@ -20,7 +20,7 @@
 // Throws   std::invalid_argument on a length or a width that cannot be.
 #pragma once
 
-#include <span>
+#include <functional>
 #include <vector>
 
 #include <patchgrip/grasp/grasp.h>
@@ -33,6 +33,7 @@ struct BallSettings {
   double relative_width = 0.05;  // of the bracket, in (0, 1)
   int max_simplices = 200000;    // >= 0; 0 for the upper bound alone
   bool planar = false;  // only forces in the x-y-plane and moments about z, of a grasp that is its own mirror image
+  std::function<void()> check_interrupt = {};  // called for every simplex; what it throws ends the search
 
   // Throws std::invalid_argument, naming the setting.
   void check() const;

@@ -65,15 +65,38 @@ Vector6 load_of(const GraspScene& scene, std::size_t i) {
   return scene.question == GraspQuestion::load_factor ? scene.loads[i] : Vector6(scene.weight + scene.loads[i]);
 }
 
+// Of shares of the relative error of friction: none where there is none.
+std::vector<double> shares_of(const GraspScene& scene) {
+  const bool uncertain = std::ranges::any_of(scene.contacts, [](const GraspContact& c) { return c.shape_error > 0; });
+  return uncertain ? std::vector<double>{0, -1, 1} : std::vector<double>{0};
+}
+
+template <class Answer>
+void widen(Answer& answer, double lower, double upper, Verdict verdict) {
+  answer.lower = std::min(answer.lower, lower);
+  answer.upper = std::max(answer.upper, upper);
+  if (verdict != answer.verdict) answer.verdict = Verdict::undecided;
+}
+
+// The proof of closure: the forces found, and one more newton of each finger, load nothing.
+void squeeze(GripAnswer& answer) {
+  for (grasp::ContactAnswer& c : answer.contacts) {
+    c.normal_force += 1;
+    c.state = grasp::ContactState::sticks;
+    c.at_limit = false;
+  }
+}
+
 // The answer, widened by those with less and with more friction where that is known no better.
 class Questioned {
  public:
   explicit Questioned(const GraspScene& scene) : scene_(&scene) {
     const bool forms = scene.question == GraspQuestion::form_closure;
     grasps_.emplace_back(forms ? frictionless(scene.contacts) : contacts_of(scene.contacts));
-    const bool uncertain = std::ranges::any_of(scene.contacts, [](const GraspContact& c) { return c.shape_error > 0; });
-    if (!uncertain || forms) return;
-    for (const double share : {-1., 1.}) grasps_.emplace_back(with_friction(scene.contacts, share));
+    if (forms) return;
+    for (const double share : shares_of(scene)) {
+      if (share != 0) grasps_.emplace_back(with_friction(scene.contacts, share));
+    }
   }
 
   GraspLoadAnswer answer(const Vector6& load) {
@@ -81,10 +104,11 @@ class Questioned {
     GraspLoadAnswer result{load, own, own.lower, own.upper, own.verdict};
     for (std::size_t i = 1; i < grasps_.size(); ++i) {
       const GripAnswer& other = ask(grasps_[i], *scene_, load);
-      result.lower = std::min(result.lower, other.lower);
-      result.upper = std::max(result.upper, other.upper);
-      if (other.verdict != result.verdict) result.verdict = Verdict::undecided;
+      widen(result, other.lower, other.upper, other.verdict);
     }
+    const bool closes =
+        scene_->question == GraspQuestion::force_closure || scene_->question == GraspQuestion::form_closure;
+    if (closes && result.verdict == Verdict::holds) squeeze(result.grip);
     return result;
   }
 
@@ -94,49 +118,73 @@ class Questioned {
 };
 
 GraspLoadAnswer growing_answer(const GraspScene& scene, const Vector6& load) {
-  std::vector<grasp::GrowingContact> contacts;
-  for (const GraspContact& c : scene.contacts) {
-    contacts.emplace_back([&c](double force) { return Contact(c.frame, c.grown ? c.grown(force) : c.cone); });
+  GraspLoadAnswer answer;
+  for (const double share : shares_of(scene)) {
+    std::vector<grasp::GrowingContact> contacts;
+    for (const GraspContact& c : scene.contacts) {
+      contacts.emplace_back([&c, share](double force) {
+        InterruptGuard::check();
+        const grasp::FrictionCone cone = c.grown ? c.grown(force) : c.cone;
+        return Contact(c.frame, cone.with_mu(cone.mu() * (1 + share * c.shape_error)));
+      });
+    }
+    grasp::GrowingGrip grip = least_growing_grip(contacts, load);
+    if (share != 0) {
+      widen(answer, grip.lower, grip.upper, grip.verdict);
+      continue;
+    }
+    const bool held = grip.verdict == Verdict::holds;
+    answer = {load, held ? std::move(grip.upper_answer) : std::move(grip.lower_answer), grip.lower, grip.upper,
+              grip.verdict};
   }
-  grasp::GrowingGrip grip = least_growing_grip(contacts, load);
-  const bool held = grip.verdict == Verdict::holds;
-  return {load, held ? std::move(grip.upper_answer) : std::move(grip.lower_answer), grip.lower, grip.upper,
-          grip.verdict};
+  return answer;
 }
 
 // One member of a family after the other; loads that turn start from the solution before.
 class Family {
  public:
   explicit Family(const GraspScene& scene)
-      : scene_(&scene), load_(scene.weight + scene.loads.front()), grasp_(contacts_of(scene.contacts)) {
+      : scene_(&scene), load_(scene.weight + scene.loads.front()), shares_(shares_of(scene)) {
+    for (const double share : shares_) grasps_.emplace_back(with_friction(scene.contacts, share));
     for (const GraspContact& c : scene.contacts) {
       centroid_ += c.frame.position / static_cast<double>(scene.contacts.size());
     }
   }
 
   FamilyMember member(double value) {
-    const GripAnswer answer = answer_at(value);
-    return {value, answer.verdict, answer.value, answer.lower, answer.upper};
+    InterruptGuard::check();
+    FamilyMember member;
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+      const GripAnswer answer = answer_at(value, i);
+      if (i == 0) {
+        member = {value, answer.verdict, answer.value, answer.lower, answer.upper};
+      } else {
+        widen(member, answer.lower, answer.upper, answer.verdict);
+      }
+    }
+    return member;
   }
 
  private:
-  GripAnswer answer_at(double value) {
+  GripAnswer answer_at(double value, std::size_t which) {
+    Grasp& own = grasps_[which];
     const GraspFamily& family = *scene_->family;
     if (family.parameter == GraspFamily::Parameter::turn) {
       const Eigen::AngleAxisd turn(value, family.axis);
-      return grasp_.next_least_grip(grasp::spatial(turn * load_.head<3>(), turn * load_.tail<3>()));
+      return own.next_least_grip(grasp::spatial(turn * load_.head<3>(), turn * load_.tail<3>()));
     }
     if (family.parameter == GraspFamily::Parameter::offset) {
       const Vector3 force = load_.head<3>(), arm = value * family.axis;
-      return grasp_.next_least_grip(grasp::spatial(force, load_.tail<3>() + arm.cross(force)));
+      return own.next_least_grip(grasp::spatial(force, load_.tail<3>() + arm.cross(force)));
     }
     std::vector<Contact> contacts;
     for (const GraspContact& c : scene_->contacts) {
       grasp::ContactFrame frame = c.frame;
       grasp::FrictionCone cone = c.cone;
       if (family.parameter == GraspFamily::Parameter::mu) {
-        cone = cone.with_mu(value);
+        cone = cone.with_mu(value * (1 + shares_[which] * c.shape_error));
       } else {
+        cone = cone.with_mu(cone.mu() * (1 + shares_[which] * c.shape_error));
         frame.position = centroid_ + value * (frame.position - centroid_);
       }
       contacts.emplace_back(frame, cone);
@@ -146,7 +194,8 @@ class Family {
 
   const GraspScene* scene_;
   Vector6 load_;
-  Grasp grasp_;
+  std::vector<double> shares_;
+  std::vector<Grasp> grasps_;
   Vector3 centroid_ = Vector3::Zero();
 };
 
@@ -189,7 +238,17 @@ GraspAnswer answer_grasp(const GraspScene& scene) {
     }
   }
   if (scene.question == GraspQuestion::held_ball) {
-    answer.ball = held_ball(contacts_of(scene.contacts), scene.measure, scene.length, scene.ball);
+    grasp::BallSettings settings = scene.ball;
+    settings.check_interrupt = [] { InterruptGuard::check(); };
+    for (const double share : shares_of(scene)) {
+      const auto ball = held_ball(with_friction(scene.contacts, share), scene.measure, scene.length, settings);
+      if (share == 0) {
+        answer.ball = ball;
+      } else {
+        answer.ball->lower = std::min(answer.ball->lower, ball.lower);
+        answer.ball->upper = std::max(answer.ball->upper, ball.upper);
+      }
+    }
     return answer;
   }
   if (scene.question == GraspQuestion::internal_forces) {
@@ -228,6 +287,13 @@ std::string_view unit_of(GraspQuestion question) {
   }
 }
 
+double pace_of(const GraspLoadAnswer& load, const GraspScene& scene) {
+  if (load.verdict != Verdict::cannot_hold || scene.question == GraspQuestion::distance) return 1;
+  const Vector6& W = load.grip.escape_twist;
+  const double size = W.head<3>().norm() + W.tail<3>().norm() * scene.length;
+  return size > 0 ? size : 1;
+}
+
 Table grasp_rows(const GraspAnswer& answer, const GraspScene& scene) {
   const auto known = [](double x) { return std::isfinite(x) ? x : not_known; };
   const auto verdict = [](Verdict v) { return v == Verdict::undecided ? not_known : v == Verdict::holds ? 1 : 0; };
@@ -253,8 +319,11 @@ Table grasp_rows(const GraspAnswer& answer, const GraspScene& scene) {
   for (const GraspLoadAnswer& load : answer.loads) {
     std::vector<double> row(load.load.begin(), load.load.end());
     row.insert(row.end(), {verdict(load.verdict), known(load.lower), known(load.upper)});
+    const bool held = load.verdict == Verdict::holds;
     for (const grasp::ContactAnswer& c : load.grip.contacts) {
-      row.insert(row.end(), {c.normal_force, c.friction[0], c.friction[1], c.friction[2]});
+      for (const double x : {c.normal_force, c.friction[0], c.friction[1], c.friction[2]}) {
+        row.push_back(held ? x : not_known);
+      }
     }
     table.rows.push_back(std::move(row));
   }

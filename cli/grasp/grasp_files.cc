@@ -33,13 +33,17 @@ std::string to_vtk(const GraspAnswer& answer, const GraspScene& scene) {
   text += fmt::format("POINT_DATA {}\nVECTORS normal double\n", n);
   for (const grasp::Contact& c : contacts) append(text, c.normal());
   if (answer.loads.empty()) return text;
-  const grasp::GripAnswer& grip = answer.loads.front().grip;
-  text += "VECTORS force double\n";
-  for (std::size_t i = 0; i < n; ++i) {
-    append(text, contacts[i].wrench(grip.contacts[i].normal_force, grip.contacts[i].friction).head<3>());
+  const GraspLoadAnswer& load = answer.loads.front();
+  if (load.verdict == grasp::Verdict::holds) {
+    text += "VECTORS force double\n";
+    for (std::size_t i = 0; i < n; ++i) {
+      const grasp::ContactAnswer& c = load.grip.contacts[i];
+      append(text, contacts[i].wrench(c.normal_force, c.friction).head<3>());
+    }
   }
   text += "VECTORS escape double\n";
-  const Vector3 v = grip.escape_twist.head<3>(), omega = grip.escape_twist.tail<3>();
+  const grasp::Vector6 W = load.grip.escape_twist / pace_of(load, scene);
+  const Vector3 v = W.head<3>(), omega = W.tail<3>();
   for (const grasp::Contact& c : contacts) append(text, v + omega.cross(c.position()));
   return text;
 }

@@ -66,11 +66,11 @@ ordered_json to_contact(const ContactAnswer& c, std::size_t number, const GraspS
   json["contact"] = number;
   const bool closes = is_closure(scene);
   if (held) {
-    json["state"] = closes ? "sticks" : states[static_cast<std::size_t>(c.state)];
-    json["normal_force"] = {{"value", c.normal_force + (closes ? 1 : 0)}, {"unit", "N"}};
+    json["state"] = states[static_cast<std::size_t>(c.state)];
+    json["normal_force"] = {{"value", c.normal_force}, {"unit", "N"}};
     json["friction"] = {{"value", list(c.friction.head<2>())}, {"unit", "N"}};
     json["friction_moment"] = {{"value", c.friction[2]}, {"unit", "N m"}};
-    if (c.at_limit && !closes) json["at_limit"] = true;
+    if (c.at_limit) json["at_limit"] = true;
   }
   if (closes && held) return json;
   json["resistance"] = c.resistance / pace;
@@ -99,15 +99,10 @@ ordered_json to_load(const GraspLoadAnswer& load, const GraspScene& scene) {
   }
   json["verdict"] = verdicts[static_cast<std::size_t>(load.verdict)];
   if (!is_closure(scene)) json["results"] = to_value(load, scene);
-  // A certificate has no scale of its own: its size is 1, with spins times the length.
   const bool held = load.verdict == Verdict::holds;
   Vector6 W = load.grip.escape_twist;
-  double pace = 1;
-  if (load.verdict == Verdict::cannot_hold && scene.question != GraspQuestion::distance) {
-    pace = W.head<3>().norm() + W.tail<3>().norm() * scene.length;
-    if (!(pace > 0)) pace = 1;
-    W /= pace;
-  }
+  const double pace = pace_of(load, scene);
+  W /= pace;
   if (!W.isZero(0) && !(is_closure(scene) && held)) {
     json["escape_twist"] = {{"velocity", list(W.head<3>())}, {"turn_rate", list(W.tail<3>())}};
     const Vector6 w = (Vector6() << load.load.head<3>(), load.load.tail<3>() / scene.length).finished();

@@ -146,7 +146,7 @@ std::string picture_of(const GraspAnswer& answer, const GraspScene& scene) {
   for (std::size_t i = 0; load != nullptr && i < contacts.size(); ++i) {
     const ContactAnswer& c = load->grip.contacts[i];
     const bool closes = asks_of_no_load(scene.question);
-    const auto wrench = contacts[i].wrench(c.normal_force + (closes ? 1 : 0), c.friction);
+    const auto wrench = contacts[i].wrench(c.normal_force, c.friction);
     forces.push_back(held ? Vector3(wrench.head<3>()) : Vector3::Zero());
     const Vector3 v = load->grip.escape_twist.head<3>(), omega = load->grip.escape_twist.tail<3>();
     velocities.push_back(held && closes ? Vector3::Zero() : Vector3(v + omega.cross(contacts[i].position())));

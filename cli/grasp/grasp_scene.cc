@@ -131,7 +131,7 @@ void read_question(const TomlReader& scene, std::string_view overruling, GraspSc
       result.ball.relative_width = table.number("relative_width", width);
     }
     if (table.has("max_simplices")) {
-      constexpr Quantity count{"a number of simplices", 0, 1e8};
+      constexpr Quantity count{"a number of simplices", 0, 1e7};
       result.ball.max_simplices = static_cast<int>(table.number("max_simplices", count));
     }
     result.ball.planar = table.flag("planar");
@@ -199,6 +199,9 @@ void check_question(const TomlReader& scene, const GraspScene& result) {
   if (result.question == GraspQuestion::growing_grip &&
       std::ranges::none_of(result.contacts, [](const GraspContact& c) { return bool(c.grown); })) {
     scene.refuse("contacts", "'growing_grip' is asked of contacts between 'bodies'");
+  }
+  if (result.question == GraspQuestion::internal_forces && result.contacts.size() > most_internal_contacts) {
+    scene.refuse("contacts", fmt::format("'internal_forces' is asked of at most {} contacts", most_internal_contacts));
   }
   const bool loaded = !result.weight.isZero(0) || scene.has("loads");
   if (!asks_of_no_load(result.question) && !loaded) {

@@ -36,6 +36,8 @@ inline constexpr std::array<std::string_view, 11> grasp_questions{
     "least_grip",   "least_total_grip", "least_quadratic_grip", "holds_within", "load_factor",    "distance",
     "growing_grip", "force_closure",    "form_closure",         "held_ball",    "internal_forces"};
 
+constexpr std::size_t most_internal_contacts = 200;  // the basis grows with their square
+
 // Of the grasp alone, whatever the load.
 constexpr bool asks_of_no_load(GraspQuestion question) { return question >= GraspQuestion::force_closure; }
 

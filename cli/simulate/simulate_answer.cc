@@ -30,9 +30,14 @@ ordered_json to_entry(const MotionEvent& e, bool point) {
     entry["y_m"] = e.place[1];
     entry["turn_rad"] = e.place[2];
   }
-  if (e.slip && e.slip->w != 0)
-    entry["pole_from_centre_m"] = {-e.slip->vy / e.slip->w + 0., e.slip->vx / e.slip->w + 0.};
-  if (e.slip && e.slip->w == 0) entry["slip_direction"] = {e.slip->vx, e.slip->vy};
+  if (e.slip) {
+    const double x = -e.slip->vy / e.slip->w, y = e.slip->vx / e.slip->w;
+    if (std::isfinite(x) && std::isfinite(y)) {
+      entry["pole_from_centre_m"] = {x + 0., y + 0.};
+    } else {
+      entry["slip_direction"] = {e.slip->vx, e.slip->vy};
+    }
+  }
   if (std::isfinite(e.margin)) entry["margin"] = e.margin;
   return entry;
 }

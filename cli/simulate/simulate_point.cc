@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -24,6 +26,10 @@ struct PointSetting {
     tolerance = second ? std::min(1e-3, 100 * s.following.tolerance) : s.following.tolerance;
     longest_step = std::min({1e-2, s.end() / 100, s.loads.longest_step()});
     if (s.body.spring > 0) longest_step = std::min(longest_step, std::sqrt(s.body.mass / s.body.spring) / 6);
+    if (s.end() / longest_step > most_steps) {
+      s.place.refuse(fmt::format("spring or loads that oscillate need steps of {:.3g} s, more than {:.0e} of them",
+                                 longest_step, most_steps));
+    }
   }
 
   double load(double t) const {
@@ -183,7 +189,10 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
     };
     while (next < s.times.size() && s.times[next] <= end) {
       double to = std::min(s.times[next], flow.time() + s.longest_step);
-      for (; to < s.times[next]; to = std::min(s.times[next], to + s.longest_step)) flow.run(to, note);
+      for (; to < s.times[next]; to = std::min(s.times[next], to + s.longest_step)) {
+        InterruptGuard::check();
+        flow.run(to, note);
+      }
       flow.run(s.times[next], note);
       const Flow::State& x = flow.state();
       const Friction R = friction(std::min(flow.time(), last), x);
@@ -198,7 +207,10 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
       s.add(record, row);
       ++next;
     }
-    if (next < s.times.size()) flow.run(end, note);
+    if (next < s.times.size()) {
+      for (double to = flow.time() + s.longest_step; to < end; to += s.longest_step) flow.run(to, note);
+      flow.run(end, note);
+    }
     y = flow.state();
     t = end;
   }

@@ -168,6 +168,7 @@ void refuse_unused(const TomlReader& motion, const Following& f, bool point) {
   refuse_unless(!mapping, {"tolerance"});
   refuse_unless(m == FrictionMethod::tanh, {"steepness"});
   refuse_unless(m == FrictionMethod::karnopp, {"dead_band"});
+  refuse_unless(!point && m != FrictionMethod::rigid, {"rest_speed"});
 }
 
 void check_method(const TomlReader& motion, FrictionMethod m, bool point) {

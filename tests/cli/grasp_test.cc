@@ -166,6 +166,58 @@ TEST(Grasp, WeightAndMotionLoadTheObject) {
   EXPECT_NEAR(pushed.weight[5], -0.6, 1e-14);
 }
 
+TEST(Grasp, WhatAContactSlidesWithBelongsToTheEscape) {
+  const GraspScene scene = grasp_scene(good_grasp.substr(0, good_grasp.rfind("[[contacts]]")), "distance");
+  const GraspLoadAnswer a = first_of(scene);
+  EXPECT_EQ(a.verdict, Verdict::cannot_hold);
+  const grasp::Contact contact = contacts_of(scene.contacts).front();
+  const friction::Twist v = contact.sliding(a.grip.escape_twist), own = a.grip.contacts[0].sliding;
+  EXPECT_NEAR(own.vx, v.vx, 1e-12 * std::hypot(v.vx, v.vy));
+  EXPECT_NEAR(own.vy, v.vy, 1e-12 * std::hypot(v.vx, v.vy));
+  EXPECT_NEAR(a.grip.contacts[0].resistance,
+              -contact.opening(a.grip.escape_twist) + 0.5 * contact.cone().surface().patch().dissipation(v),
+              1e-12 * a.grip.escape_twist.norm());
+}
+
+TEST(Grasp, ALoadThatIsHeldIsAtNoDistance) {
+  EXPECT_EQ(first_of(grasp_scene(good_grasp, "distance")).verdict, Verdict::holds);
+}
+
+// A mesh tells its curvature, and so the patch, with an error of per cents: it is in every bracket.
+TEST(Grasp, TheErrorOfBodiesIsInEveryBracket) {
+  const std::string text = R"([[loads]]
+force = [0, 0, -1]
+[[contacts]]
+position = [0.03, 0, 0]
+normal = [1, 0, 0]
+mu = 0.6
+normal_force = 2
+[[contacts.bodies]]
+mesh = "../press/ellipsoid.off"
+unit = 1e-3
+point = [0, 0, 10]
+material = "rubber"
+[[contacts.bodies]]
+plane = true
+material = "glass"
+[[contacts]]
+position = [-0.03, 0, 0.001]
+normal = [-1, 0, 0]
+mu = 0.6
+model = "soft_elliptic"
+moment_length = 0.002
+)";
+  const GraspLoadAnswer least = first_of(grasp_scene(text));
+  ASSERT_EQ(least.verdict, Verdict::holds);
+  const double width = (least.upper - least.lower) / least.upper;
+  EXPECT_GT(width, 1e-4);
+  const GraspLoadAnswer growing = first_of(grasp_scene(text, "growing_grip"));
+  EXPECT_GT((growing.upper - growing.lower) / growing.upper, 1e-4);
+  const FamilyMember member = answer_grasp(grasp_scene(text + "[family]\nmu = [0.6]\n")).family.front();
+  EXPECT_NEAR(member.lower, least.lower, 1e-9 * least.lower);
+  EXPECT_NEAR(member.upper, least.upper, 1e-9 * least.upper);
+}
+
 using GraspFilesTest = test::ScratchFolder;
 
 TEST_F(GraspFilesTest, AreWritten) {
@@ -176,6 +228,24 @@ TEST_F(GraspFilesTest, AreWritten) {
     EXPECT_GT(std::filesystem::file_size(folder_ / name), 500U) << name;
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 4);
+}
+
+// No load, and one that is not held: every file is written, and forces where there are some.
+TEST_F(GraspFilesTest, AreWrittenWithoutForces) {
+  const MaterialLibrary materials({test::data_folder / "materials"});
+  const std::string bodies = (test::grasp_folder / "rubber_fingers.toml").string();
+  std::ifstream in(bodies);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  text = with(text, "mass = 0.4                      # kg\ncentre_of_mass = [0.0, 0.006, 0.0]", "");
+  const auto scene = write("none.toml", text + "[[loads]]\nforce = [0, 0, 0]\n");
+  run_grasp({scene.string(), path("a.json"), path("a.csv"), path("a.vtk"), path("a.svg"), ""}, "", materials);
+  EXPECT_GT(std::filesystem::file_size(folder_ / "a.vtk"), 100U);
+  const std::string turn = (test::grasp_folder / "cannot_turn.toml").string();
+  run_grasp({turn, path("b.json"), path("b.csv"), path("b.vtk"), "", ""}, "", materials);
+  std::ifstream vtk(path("b.vtk"));
+  const std::string vectors{std::istreambuf_iterator<char>(vtk), {}};
+  EXPECT_THAT(vectors, ::testing::Not(::testing::HasSubstr("VECTORS force")));
+  EXPECT_THAT(vectors, ::testing::HasSubstr("VECTORS escape"));
 }
 
 TEST_F(GraspFilesTest, BearTheNamesOfTheirKinds) {

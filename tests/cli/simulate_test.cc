@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/cli/unanswered.h>
 
 #include "simulate_scenes.h"
@@ -50,6 +51,12 @@ TEST_F(Simulate, Example47StopsWhenItIsKnownTo) {
   const Answer a = committed("example_4_7");
   EXPECT_NEAR(a.value("stop_time"), 1.1842052756356714, 1e-9);
   EXPECT_NEAR(a.value("stop_distance"), 2.3544450410035065, 2e-9);
+}
+
+// Steps that time cannot resolve are refused, not taken for ever.
+TEST_F(Simulate, RefusesAPointThatOscillatesTooFast) {
+  const std::string stiff = with(good_point, "mass = 2", "mass = 2\nspring = 1e40");
+  EXPECT_THROW(answer_to(with(stiff, "[motion]", "[motion]\nmethod = \"tanh\"\nsteepness = 100")), SceneError);
 }
 
 TEST_F(Simulate, WhatIsHeldDoesNotCreep) {
