@@ -89,10 +89,10 @@ void run_simulate(const SimulateFiles& files, const MaterialLibrary& materials) 
   Run r = run(scene);
   if (!r.end) return write(files, scene, r.record);
   if (!r.record.rows.empty()) {
-    r.record.warnings.push_back(fmt::format(
-        "stopped before its end: the motion is written up to t = {} s, errors are not known, and events of a "
-        "rigid motion are missing",
-        r.record.rows.back().time));
+    r.record.warnings.push_back(
+        fmt::format("stopped before its end: what follows t = {} s is missing, errors are not known, and events of a "
+                    "rigid motion are missing",
+                    r.record.rows.back().time));
     for (MotionRow& row : r.record.rows) row.error.setConstant(not_known);
     for (MotionEvent& event : r.record.events) event.time_error = not_known;
     if (r.record.rest) r.record.rest->time_error = not_known;
