@@ -5,7 +5,15 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <patchgrip/version.h>
+
 namespace patchgrip::cli {
+
+nlohmann::ordered_json answer_head(std::string_view scene_path, std::string_view title) {
+  nlohmann::ordered_json head{{"patchgrip", version}, {"scene", scene_path}};
+  if (!title.empty()) head["title"] = title;
+  return head;
+}
 
 nlohmann::ordered_json to_object(const std::vector<Result>& results) {
   auto object = nlohmann::ordered_json::object();

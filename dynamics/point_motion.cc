@@ -73,7 +73,11 @@ class Run {
     return next == load_.jumps.end() ? end_ : std::min(*next, end_);
   }
 
-  void note(PointEvent::Kind kind) { events_.push_back({kind, t_, state_, 0}); }
+  void note(PointEvent::Kind kind) { note({kind, t_, state_}); }
+  void note(const PointEvent& event) {
+    events_.push_back(event);
+    if (settings_.on_event) settings_.on_event(event);
+  }
 
   void leave() {
     note(PointEvent::Kind::break_away);
@@ -102,7 +106,7 @@ class Run {
     });
     if (side_ != 0 && body_.support_speed != 0) flow.watch([](double, const Flow::State& y) { return y[1]; });
     const auto at_event = [&](double t, const Flow::State& y, std::size_t which) {
-      if (which == 2) events_.push_back({PointEvent::Kind::extreme, t, to_state(y), 0});
+      if (which == 2) note({PointEvent::Kind::extreme, t, to_state(y)});
       return which == end_of_phase && (side_ == 0 || side_ * (y[1] - body_.support_speed) <= 0);
     };
     bool met = false;
@@ -170,6 +174,7 @@ PointMotionResult PointMotion::operator()(const PointLoad& load, const PointStat
   PointMotionResult r = Run(body_, law_, mu_hold_, load, settings, samples, watch)(from, t0, t1);
   PointMotionSettings rough = settings;
   rough.tolerance = std::min(1e-3, 100 * settings.tolerance);
+  rough.on_event = {};
   const PointMotionResult other = Run(body_, law_, mu_hold_, load, rough, {}, {})(from, t0, t1);
   for (std::size_t i = 0; i < r.events.size(); ++i) {
     const bool same = i < other.events.size() && other.events[i].kind == r.events[i].kind;

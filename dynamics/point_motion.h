@@ -56,8 +56,9 @@ struct PointEvent {
 };
 
 struct PointMotionSettings {
-  double tolerance = 1e-12;    // of a step, in [1e-15, 1e-3]
-  double longest_step = 1e-2;  // [s], > 0
+  double tolerance = 1e-12;                              // of a step, in [1e-15, 1e-3]
+  double longest_step = 1e-2;                            // [s], > 0
+  std::function<void(const PointEvent&)> on_event = {};  // each as it happens, the error of its time not yet known
 
   void check() const;
 };

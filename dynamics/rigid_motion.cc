@@ -117,6 +117,7 @@ class Motion {
     const Twist v{direction[0], direction[1], direction[2]};
     const double D = friction::power(patch_.gradient(v).value, v);
     events_.push_back({kind, t_, {v.vx / D, v.vy / D, v.w / D}, state_, 0});
+    if (settings_.on_event) settings_.on_event(events_.back());
   }
 
   // The load is beyond the limit: a finite acceleration.
@@ -262,6 +263,7 @@ RigidMotionResult rigid_motion(const RigidPatchView& patch, const Vector3& mass,
   RigidMotionSettings rough = settings;
   rough.tolerance = std::min(1e-3, 100 * settings.tolerance);
   rough.start = std::min(0.5, 2 * settings.start);
+  rough.on_event = {};
   const RigidMotionResult other = Motion(patch, mass, law, load, rough).run(from, t0, t1, {}, {});
   const bool alike = other.events.size() == r.events.size();
   for (std::size_t i = 0; i < r.events.size(); ++i) {

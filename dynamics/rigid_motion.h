@@ -39,20 +39,6 @@
 
 namespace patchgrip::dynamics {
 
-struct RigidMotionSettings {
-  double tolerance = 1e-12;    // of a step, relative, in [1e-14, 1e-3]
-  double longest_step = 1e-2;  // [s], > 0, between looks at a load that is held
-  double start = 5e-3;         // of a start at a steady load, in [1e-6, 0.5]
-
-  void check() const;
-};
-
-struct PlanarLoad {
-  std::function<Vector3(double t)> force;        // f
-  std::function<double(double t)> normal_force;  // F_N
-  std::vector<double> jumps = {};
-};
-
 struct SlipEvent {
   enum class Kind { break_away, stop };
 
@@ -61,6 +47,21 @@ struct SlipEvent {
   friction::Twist slip;  // direction, D = 1; its pole is that of the event
   PlanarState state;
   double error = 0;  // of the time [s]
+};
+
+struct RigidMotionSettings {
+  double tolerance = 1e-12;                             // of a step, relative, in [1e-14, 1e-3]
+  double longest_step = 1e-2;                           // [s], > 0, between looks at a load that is held
+  double start = 5e-3;                                  // of a start at a steady load, in [1e-6, 0.5]
+  std::function<void(const SlipEvent&)> on_event = {};  // each as it happens, the error of its time not yet known
+
+  void check() const;
+};
+
+struct PlanarLoad {
+  std::function<Vector3(double t)> force;        // f
+  std::function<double(double t)> normal_force;  // F_N
+  std::vector<double> jumps = {};
 };
 
 struct RigidMotionResult {

@@ -132,10 +132,13 @@ const GripAnswer& Grasp::least_quadratic_grip(const Vector6& load, double epsilo
   const QuadraticGrip& q = *quadratic_;
   answer_.lower = size * size * q.lower();
   answer_.upper = balanced ? size * size * q.upper() : infinity;
-  answer_.verdict = balanced ? Verdict::holds : Verdict::undecided;
   answer_.value = balanced ? (answer_.lower + answer_.upper) / 2 : answer_.lower;
   answer_.balance_residual = q.residual();
-  answer_.charged = balanced ? q.residual() * q.twist().norm() / q.upper() : 0;
+  answer_.charged = balanced && q.upper() > 0 ? q.residual() * q.twist().norm() / q.upper() : 0;
+  const bool found =
+      balanced && answer_.charged <= GripSolver::largest_charge &&
+      std::ranges::all_of(q.forces(), [&](const PartForce& x) { return x.force <= settings_.force_limit; });
+  answer_.verdict = found ? Verdict::holds : Verdict::undecided;
   answer_.effort = {Route::quadratic, 0, q.iterations(), 0};
   report_contacts(own_->scaled, q.forces(), q.twist(), size, size);
   return answer_;

@@ -4,8 +4,9 @@
 //     holds_within    max F_i / c_i <= 1 ?     least_quadratic_grip   min sum F_i^2 + eps |t_i|^2
 //     force_closure   every load?              distance   of the load from what can be held, in |f|^2 + |m|^2 / l^2
 //
-// (grip_problem.h and quadratic_grip.h has them in full, seed 4.3.1.) Every answer is a bracket [lower, upper] of the optimum, with the forces
-// that prove one end and the twist that proves the other; the verdict follows from the bracket alone:
+// (grip_problem.h and quadratic_grip.h have them in full, seed 4.3.1.) Every answer is a bracket [lower, upper] of the
+// optimum, with the forces that prove one end and the twist that proves the other; the verdict follows from the bracket
+// alone:
 //
 //     holds         forces were found, none above the limit          (upper <= limit, charged <= 1e-3)
 //     cannot_hold   every way of holding needs more than the limit   (lower > limit)
@@ -24,7 +25,8 @@
 //          (holds_within), 1 (load_factor).
 // Error    the bracket; about 1e-13 of the value for grasps that are well inside of what they can hold.
 // Throws   std::invalid_argument on what is not finite, limits that are not positive, and a grasp without contacts.
-// Memory   the constructor allocates; questions do not, but for the first least_quadratic_grip or distance. An answer is valid until the next question.
+// Memory   the constructor allocates; questions do not, but for the first least_quadratic_grip or distance. An answer
+//          is valid until the next question.
 #pragma once
 
 #include <memory>
@@ -82,7 +84,8 @@ class Grasp {
   // 4.67c with P = diag(1, 1, l^-2), epsilon > 0.
   const GripAnswer& least_quadratic_grip(const Vector6& load, double epsilon, double length);
 
-  // From the solution of the last question of the same kind, for loads that change little; never worse than from nothing.
+  // From the solution of the last question of the same kind, for loads that change little; never worse than from
+  // nothing.
   const GripAnswer& next_least_grip(const Vector6& load);
 
   // Whether every load can be held. The answer is that of the load -sum (n_i, r_i x n_i): with forces that carry it and

@@ -2,8 +2,8 @@
 //
 //     a = (3 F R / 4 E*)^(1/3), so that the moment that a Hertz disc bears grows like F^(4/3)
 //
-// What such a contact admits is closed under more force, but neither a cone nor convex: the problem min max F has no dual.
-// With all contacts as large as under a grip s, the convex problem has an optimum p(s), which falls with s:
+// What such a contact admits is closed under more force, but neither a cone nor convex: min max F has no dual. With all
+// contacts as large as under a grip s, the convex problem has an optimum p(s), which falls with s:
 //
 //     lower    s with p(s) = s: below it no way of holding exists, for no contact could be larger than at s
 //     upper    forces F_i admissible with contacts no larger than under F_i themselves

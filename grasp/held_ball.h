@@ -6,8 +6,8 @@
 // with s = min max F and H = sum rho_i+ (each finger gives at most 1), or s = min sum F and H = max rho_i+ (all give 1
 // together). H is convex but the sphere is not: there are many local minima.
 //
-// upper    of the best of them. From W one shoots at w = W until the grasp gives way; the normal there is the next W, and
-//          H never rises.
+// upper    of the best of them. From W one shoots at w = W until the grasp gives way; the normal there is the next W,
+//          and H never rises.
 // lower    H(W) >= x . W for every load x that is held. Over a spherical simplex of twists x . W is least at a corner,
 //          which bounds eps there: of x = grad H and of the largest load held along the middle of the simplex, and
 //          halfway between. Simplices are halved, the lowest first, until the bounds meet or the budget is used up. What

@@ -9,14 +9,6 @@ namespace {
 
 using Wide = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-constexpr double rank_tolerance = 1e-10;  // as scaled_grasp.h
-
-int rank_of(const Eigen::VectorXd& values) {
-  int rank = 0;
-  for (const double value : values) rank += value > rank_tolerance * values[0] ? 1 : 0;
-  return rank;
-}
-
 // The component of a contact that a column of G stands for: 0 F, 1 R_u, 2 R_v, 3 R_M, and its unit.
 struct Column {
   std::size_t contact;
@@ -51,7 +43,7 @@ InternalForces internal_forces(const std::vector<Contact>& contacts) {
   const std::vector<Column> columns = columns_of(grasp, G);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(G, Eigen::ComputeFullV);
   InternalForces all;
-  all.rank = rank_of(svd.singularValues());
+  all.rank = grasp.rank();
   all.components = static_cast<int>(columns.size());
   for (Eigen::Index j = all.rank; j < all.components; ++j) {
     std::vector<ContactForce> forces(contacts.size());
@@ -73,7 +65,7 @@ LeastNormForces least_norm_forces(const std::vector<Contact>& contacts, const Ve
     B.col(static_cast<Eigen::Index>(part.contact)) = part.element.N();
   }
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(rank_tolerance);
+  svd.setThreshold(ScaledGrasp::rank_tolerance);
   const Vector6 w = grasp.scaled_load(load);
   const Eigen::VectorXd F = svd.solve(Eigen::VectorXd(-w));
   const Vector6 r = w + B * F;

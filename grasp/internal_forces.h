@@ -3,7 +3,7 @@
 //     sum G_i x_i = 0,  G_i of the components that contact i can transmit: F, R_u, R_v (point), R_M (soft, patch)
 //
 // Its dimension is sum d_i - rank G. Cones are left out here: which internal forces are admissible, and whether any lies
-// strictly inside, is what Grasp::force_closure answers; the forces of its proof, one added to each F, are a squeeze.
+// strictly inside, Grasp::force_closure answers; the forces of its proof, one added to each F, are a squeeze.
 //
 // The seed's F = B^+ b for frictionless contacts is here as well, with its sign put right (-B F = b): the forces of least
 // norm, whether they press or pull. Where one is negative the answer says nothing of the grasp.

@@ -175,11 +175,11 @@ QuadraticGrip::Response QuadraticGrip::smooth_response(const Element& element, d
     v += share * step;
     h = next;
   }
-  if (!element.derivatives(v, D)) return r;
   const BoundedValue bounded = element.dissipation(v);
   const double F = std::max(phi + mu * bounded.value, 0.0) / 2;
   r.h = F * F + metric.dot((v - d).cwiseAbs2()) / 4;
   r.error = F * mu * bounded.error;
+  if (!element.derivatives(v, D)) return r;
   r.slips = true;
   r.gradient << F, -mu * F * -D.gradient;
   A = mu * mu / 2 * D.gradient * D.gradient.transpose() + mu * F * D.hessian;

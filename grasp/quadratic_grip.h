@@ -12,8 +12,8 @@
 //
 //     F = (phi + mu D(v))+ / 2,   t = P^-1 (v - d) / (2 eps) = -mu F grad D(v)  where it slips, v != 0.
 //
-// Newton's method on the piecewise smooth balance, regularised by its size, with a line search on the dual, converges from
-// any start. D is the exact one of each contact at every step, so that nothing has to be guessed of what slips: the way
+// Newton's method on the piecewise smooth balance, regularised by its size, with a line search on the dual, converges
+// from any start. D is the exact one of each contact at every step, so that nothing has to be guessed of what slips: the way
 // to forces and certificates next to the boundary of what can be held. If nothing holds the load the dual grows without
 // limit, and W turns into the certificate rho_i <= 0, w . W > 0.
 //
@@ -48,8 +48,9 @@ class QuadraticGrip {
   bool solve(const Vector6& load, const Weights& weights, int max_iterations, double force_limit) noexcept;
 
   const Vector6& twist() const noexcept { return W_; }
-  // A twist close to the one found, moved as little as it takes to have rho_i <= 0 of the contacts that press, to rounding
-  // after a few steps: where the load is not held, by far the better certificate. False if it is lost.
+  // A twist close to the one found, moved as little as it takes to have rho_i <= 0 of the contacts that press, to
+  // rounding after a few steps: where the load is not held, by far the better certificate. False if it is lost, or where more
+  // contacts press than there is room for.
   bool sharpen(Vector6& W) const noexcept;
   std::span<const PartForce> forces() const noexcept { return forces_; }  // by part
   double lower() const noexcept { return lower_; }

@@ -11,8 +11,6 @@
 namespace patchgrip::grasp {
 namespace {
 
-constexpr double rank_tolerance = 1e-10;
-
 // Of all contacts about their centroid.
 struct Extent {
   explicit Extent(const std::vector<Contact>& contacts) {

@@ -5,7 +5,7 @@
 // that is farther away than 4 L, which rounds the data by eps |centroid| / L: `rounding` counts it.
 //
 // Not every load can be met: the wrenches of all contacts span a range R of dimension `rank` (singular values above
-// 1e-10 of the largest). A direction outside it is resisted by no contact, rho_i = 0: a load with a part there cannot
+// rank_tolerance of the largest). A direction outside it is resisted by no contact, rho_i = 0: a load with a part there cannot
 // be held, and that part is the proof. P maps coordinates in which the range is well conditioned to twists.
 //
 // Units    scaled: lengths / L, w L; force unchanged, moment / L.
@@ -23,6 +23,8 @@ namespace patchgrip::grasp {
 
 class ScaledGrasp {
  public:
+  static constexpr double rank_tolerance = 1e-10;
+
   // About `centre` if given. The contacts must outlive the result.
   explicit ScaledGrasp(const std::vector<Contact>& contacts, const std::optional<Vector3>& centre = std::nullopt);
 

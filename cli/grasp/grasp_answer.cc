@@ -106,9 +106,7 @@ class Questioned {
       const GripAnswer& other = ask(grasps_[i], *scene_, load);
       widen(result, other.lower, other.upper, other.verdict);
     }
-    const bool closes =
-        scene_->question == GraspQuestion::force_closure || scene_->question == GraspQuestion::form_closure;
-    if (closes && result.verdict == Verdict::holds) squeeze(result.grip);
+    if (asks_of_closure(scene_->question) && result.verdict == Verdict::holds) squeeze(result.grip);
     return result;
   }
 

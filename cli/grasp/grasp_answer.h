@@ -1,7 +1,7 @@
 // What `patchgrip grasp` says: of every load, of the grasp alone, or of a family of grasps.
 //
-// Error    the bracket of each answer, member of a family and held ball. Where a patch follows from bodies and its D is known to a relative error, the
-//          bracket is that of the grasps with as much less and as much more friction.
+// Error    the bracket of each answer, member of a family and held ball. Where a patch follows from bodies and its D is
+//          known to a relative error, the bracket is that of the grasps with as much less and as much more friction.
 #pragma once
 
 #include <optional>
@@ -46,8 +46,8 @@ GraspAnswer answer_grasp(const GraspScene& scene);
 // One JSON object with a line break at the end.
 std::string to_json(const GraspAnswer& answer, const GraspScene& scene, std::string_view scene_path);
 
-// What the twist of an answer is divided by: a certificate has no scale of its own, its size is made 1 with spins times the
-// length.
+// What the twist of an answer is divided by: a certificate has no scale of its own, its size is made 1 with spins times
+// the length.
 double pace_of(const GraspLoadAnswer& load, const GraspScene& scene);
 
 // A row a load or, of a family, a member.

@@ -8,7 +8,6 @@
 
 #include <patchgrip/cli/grasp/grasp_answer.h>
 #include <patchgrip/cli/result_json.h>
-#include <patchgrip/version.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -32,10 +31,6 @@ ordered_json list(const V& v) {
 
 ordered_json entry(double value, double error, std::string_view unit) {
   return {{"value", value}, {"error", error}, {"unit", unit}};
-}
-
-bool is_closure(const GraspScene& scene) {
-  return scene.question == GraspQuestion::force_closure || scene.question == GraspQuestion::form_closure;
 }
 
 // The bracket, as a value with its error where it has two ends.
@@ -64,7 +59,7 @@ bool has_friction_slope(GraspQuestion question) {
 ordered_json to_contact(const ContactAnswer& c, std::size_t number, const GraspScene& scene, bool held, double pace) {
   ordered_json json;
   json["contact"] = number;
-  const bool closes = is_closure(scene);
+  const bool closes = asks_of_closure(scene.question);
   if (held) {
     json["state"] = states[static_cast<std::size_t>(c.state)];
     json["normal_force"] = {{"value", c.normal_force}, {"unit", "N"}};
@@ -93,17 +88,17 @@ ordered_json to_contact(const ContactAnswer& c, std::size_t number, const GraspS
 
 ordered_json to_load(const GraspLoadAnswer& load, const GraspScene& scene) {
   ordered_json json;
-  if (!is_closure(scene)) {
+  if (!asks_of_closure(scene.question)) {
     json["load"] = {{"force", {{"value", list(load.load.head<3>())}, {"unit", "N"}}},
                     {"moment", {{"value", list(load.load.tail<3>())}, {"unit", "N m"}}}};
   }
   json["verdict"] = verdicts[static_cast<std::size_t>(load.verdict)];
-  if (!is_closure(scene)) json["results"] = to_value(load, scene);
+  if (!asks_of_closure(scene.question)) json["results"] = to_value(load, scene);
   const bool held = load.verdict == Verdict::holds;
   Vector6 W = load.grip.escape_twist;
   const double pace = pace_of(load, scene);
   W /= pace;
-  if (!W.isZero(0) && !(is_closure(scene) && held)) {
+  if (!W.isZero(0) && !(asks_of_closure(scene.question) && held)) {
     json["escape_twist"] = {{"velocity", list(W.head<3>())}, {"turn_rate", list(W.tail<3>())}};
     const Vector6 w = (Vector6() << load.load.head<3>(), load.load.tail<3>() / scene.length).finished();
     const Vector6 V = (Vector6() << W.head<3>(), W.tail<3>() * scene.length).finished();
@@ -164,10 +159,7 @@ ordered_json to_family(const GraspAnswer& answer, const GraspScene& scene) {
 }  // namespace
 
 std::string to_json(const GraspAnswer& answer, const GraspScene& scene, std::string_view scene_path) {
-  ordered_json json;
-  json["patchgrip"] = version;
-  json["scene"] = scene_path;
-  if (!scene.title.empty()) json["title"] = scene.title;
+  ordered_json json = answer_head(scene_path, scene.title);
   json["question"] = grasp_questions[static_cast<std::size_t>(scene.question)];
   json["length"] = {{"value", scene.length}, {"unit", "m"}};
   json["contacts"] = ordered_json::array();

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <patchgrip/cli/picture/colours.h>
 #include <patchgrip/cli/picture/picture_axes.h>
 #include <patchgrip/cli/picture/svg.h>
 
@@ -24,12 +25,6 @@ using grasp::Verdict;
 
 constexpr double width = 120, height = 110;  // [mm]
 
-// Okabe and Ito, Color Universal Design (2008).
-constexpr Colour black{0, 0, 0};
-constexpr Colour white{1, 1, 1};
-constexpr Colour vermilion{0.835, 0.369, 0};
-constexpr Colour blue{0, 0.447, 0.698};
-constexpr Colour green{0, 0.62, 0.451};
 constexpr Colour grey{0.6, 0.6, 0.6};
 constexpr Colour pale{0.82, 0.89, 0.95};
 
@@ -145,11 +140,11 @@ std::string picture_of(const GraspAnswer& answer, const GraspScene& scene) {
   std::vector<Vector3> forces, velocities;
   for (std::size_t i = 0; load != nullptr && i < contacts.size(); ++i) {
     const ContactAnswer& c = load->grip.contacts[i];
-    const bool closes = asks_of_no_load(scene.question);
     const auto wrench = contacts[i].wrench(c.normal_force, c.friction);
     forces.push_back(held ? Vector3(wrench.head<3>()) : Vector3::Zero());
     const Vector3 v = load->grip.escape_twist.head<3>(), omega = load->grip.escape_twist.tail<3>();
-    velocities.push_back(held && closes ? Vector3::Zero() : Vector3(v + omega.cross(contacts[i].position())));
+    velocities.push_back(held && asks_of_closure(scene.question) ? Vector3::Zero()
+                                                                 : Vector3(v + omega.cross(contacts[i].position())));
     largest_force = std::max(largest_force, forces.back().norm());
     largest_velocity = std::max(largest_velocity, velocities.back().norm());
   }

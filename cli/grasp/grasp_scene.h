@@ -41,6 +41,10 @@ constexpr std::size_t most_internal_contacts = 200;  // the basis grows with the
 // Of the grasp alone, whatever the load.
 constexpr bool asks_of_no_load(GraspQuestion question) { return question >= GraspQuestion::force_closure; }
 
+constexpr bool asks_of_closure(GraspQuestion question) {
+  return question == GraspQuestion::force_closure || question == GraspQuestion::form_closure;
+}
+
 // Grasps or loads that differ in one number: least grip and verdict of each.
 struct GraspFamily {
   enum class Parameter { turn, offset, mu, spread };

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <patchgrip/cli/result_json.h>
-#include <patchgrip/version.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -79,10 +78,7 @@ ordered_json to_entry(const LoadAnswer& load, const LimitScene& scene) {
 }  // namespace
 
 std::string to_json(const LimitAnswer& answer, const LimitScene& scene, std::string_view scene_path) {
-  ordered_json json;
-  json["patchgrip"] = version;
-  json["scene"] = scene_path;
-  if (!scene.title.empty()) json["title"] = scene.title;
+  ordered_json json = answer_head(scene_path, scene.title);
   json["contact"] = scene.contact.notes;
   json["results"] = to_object(answer.contact);
   json["loads"] = ordered_json::array();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <patchgrip/cli/interrupt.h>
+#include <patchgrip/cli/picture/colours.h>
 #include <patchgrip/cli/picture/picture_axes.h>
 #include <patchgrip/cli/picture/svg.h>
 #include <patchgrip/cli/progress.h>
@@ -21,12 +22,6 @@ namespace {
 
 constexpr double width = 120, height = 110;  // [mm]
 
-// Okabe and Ito, Color Universal Design (2008).
-constexpr Colour black{0, 0, 0};
-constexpr Colour white{1, 1, 1};
-constexpr Colour vermilion{0.835, 0.369, 0};
-constexpr Colour orange{0.902, 0.624, 0};
-constexpr Colour blue{0, 0.447, 0.698};
 constexpr Colour pale{0.91, 0.91, 0.91};
 constexpr Colour hidden{0.5, 0.5, 0.5};
 

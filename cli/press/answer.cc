@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <patchgrip/cli/result_json.h>
-#include <patchgrip/version.h>
 
 namespace patchgrip::cli {
 
@@ -15,10 +14,7 @@ void warn_if_steep(Answer& answer, const Steepness& steepness) {
 
 std::string to_json(const Answer& answer, std::string_view scene_path, std::string_view title,
                     const std::vector<std::string>& contact) {
-  nlohmann::ordered_json json;
-  json["patchgrip"] = version;
-  json["scene"] = scene_path;
-  if (!title.empty()) json["title"] = title;
+  nlohmann::ordered_json json = answer_head(scene_path, title);
   json["contact"] = contact;
   json["law"] = answer.main.law;
   if (!answer.main.remark.empty()) json["remark"] = answer.main.remark;

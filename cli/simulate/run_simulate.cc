@@ -90,8 +90,7 @@ void run_simulate(const SimulateFiles& files, const MaterialLibrary& materials) 
   if (!r.end) return write(files, scene, r.record);
   if (!r.record.rows.empty()) {
     r.record.warnings.push_back(
-        fmt::format("stopped before its end: what follows t = {} s is missing, errors are not known, and events of a "
-                    "rigid motion are missing",
+        fmt::format("stopped before its end: what follows t = {} s is missing, and errors are not known",
                     r.record.rows.back().time));
     for (MotionRow& row : r.record.rows) row.error.setConstant(not_known);
     for (MotionEvent& event : r.record.events) event.time_error = not_known;

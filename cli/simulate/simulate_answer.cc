@@ -9,7 +9,6 @@
 
 #include <patchgrip/cli/result_json.h>
 #include <patchgrip/cli/scene/friction_reader.h>
-#include <patchgrip/version.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -71,10 +70,7 @@ ordered_json summary(const MotionRecord& record, const SimulateScene& scene) {
 }  // namespace
 
 std::string to_json(const MotionRecord& record, const SimulateScene& scene, std::string_view scene_path) {
-  ordered_json json;
-  json["patchgrip"] = version;
-  json["scene"] = scene_path;
-  if (!scene.title.empty()) json["title"] = scene.title;
+  ordered_json json = answer_head(scene_path, scene.title);
   json["contact"] = scene.contact.notes;
   json["friction"] = in_words(scene.law, false);
   json["method"] = name_of(scene.following.method);

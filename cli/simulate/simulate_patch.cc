@@ -8,6 +8,7 @@
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/progress.h>
+#include <patchgrip/cli/simulate/run_in_steps.h>
 #include <patchgrip/dynamics/bristle_body.h>
 #include <patchgrip/dynamics/bristle_motion.h>
 #include <patchgrip/dynamics/rigid_motion.h>
@@ -111,26 +112,30 @@ MotionEvent event_of(const Setting& s, const dynamics::SlipEvent& e) {
 void simulate_rigid(Setting& s, MotionRecord& record) {
   const SimulateScene& scene = s.scene;
   const dynamics::RigidMotion motion(s.patch, scene.body.mass, scene.body.inertia, scene.law);
-  const auto result = motion(planar_load(s), s.initial(), 0, scene.end(), rigid_settings(s), s.times,
-                             [&](double t, const PlanarState& at) {
-                               MotionRow row{t, at.place, at.twist};
-                               row.slips = !at.twist.isZero(0);
-                               if (row.slips) {
-                                 const Twist own = twist(turned(at.twist, -at.place[2]));
-                                 const Wrench r = friction_wrench(scene.law, scene.normal_force(t), s.patch, own).value;
-                                 row.friction = turned({r.fx, r.fy, r.m}, at.place[2]);
-                               } else {
-                                 row.friction = -s.load(t);
-                               }
-                               row.kinetic = s.kinetic(at.twist);
-                               row.work = at.work;
-                               row.dissipated = at.dissipated;
-                               s.add(record, row);
-                             });
-  for (const auto& e : result.events) {
+  const auto note = [&](const dynamics::SlipEvent& e) {
     record.events.push_back(event_of(s, e));
     if (e.kind == dynamics::SlipEvent::Kind::stop) record.rest = record.events.back();
-  }
+  };
+  dynamics::RigidMotionSettings settings = rigid_settings(s);
+  settings.on_event = note;
+  const auto result =
+      motion(planar_load(s), s.initial(), 0, scene.end(), settings, s.times, [&](double t, const PlanarState& at) {
+        MotionRow row{t, at.place, at.twist};
+        row.slips = !at.twist.isZero(0);
+        if (row.slips) {
+          const Twist own = twist(turned(at.twist, -at.place[2]));
+          const Wrench r = friction_wrench(scene.law, scene.normal_force(t), s.patch, own).value;
+          row.friction = turned({r.fx, r.fy, r.m}, at.place[2]);
+        } else {
+          row.friction = -s.load(t);
+        }
+        row.kinetic = s.kinetic(at.twist);
+        row.work = at.work;
+        row.dissipated = at.dissipated;
+        s.add(record, row);
+      });
+  record.events.clear();  // the same, with the errors of their times
+  std::ranges::for_each(result.events, note);
 }
 
 // --- return mapping
@@ -279,6 +284,7 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
   };
   const auto speed = [&](const auto& x) { return std::hypot(x[3], x[4], s.patch.area_radius() * x[5]); };
   const double tolerance = std::min(1e-3, s.second ? 100 * f.tolerance : f.tolerance);
+  const double longest = scene.loads.longest_step();
   const auto& corners = scene.loads.corners();
   std::size_t next = 0;
   double t = 0;
@@ -301,7 +307,7 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
       return false;
     };
     while (next < s.times.size() && s.times[next] <= end) {
-      flow.run(s.times[next], note);
+      run_in_steps(flow, s.times[next], longest, note);
       const auto& x = flow.state();
       MotionRow row{flow.time(), place(x), {x[3], x[4], x[5]}};
       row.deflection = turned({x[6], x[7], x[8]}, x[2] - x[8]);
@@ -314,7 +320,7 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
       s.add(record, row);
       ++next;
     }
-    if (next < s.times.size()) flow.run(end, note);
+    if (next < s.times.size()) run_in_steps(flow, end, longest, note);
     y = flow.state();
     t = end;
   }

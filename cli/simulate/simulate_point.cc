@@ -6,6 +6,7 @@
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/progress.h>
+#include <patchgrip/cli/simulate/run_in_steps.h>
 #include <patchgrip/cli/simulate/simulate_patch.h>
 #include <patchgrip/dynamics/point_bristle.h>
 #include <patchgrip/dynamics/point_motion.h>
@@ -27,8 +28,8 @@ struct PointSetting {
     longest_step = std::min({1e-2, s.end() / 100, s.loads.longest_step()});
     if (s.body.spring > 0) longest_step = std::min(longest_step, std::sqrt(s.body.mass / s.body.spring) / 6);
     if (s.end() / longest_step > most_steps) {
-      s.place.refuse(fmt::format("spring or loads that oscillate need steps of {:.3g} s, more than {:.0e} of them",
-                                 longest_step, most_steps));
+      s.place.refuse(
+          fmt::format("the spring needs steps of {:.3g} s, more than {:.0e} of them", longest_step, most_steps));
     }
   }
 
@@ -79,9 +80,13 @@ void simulate_rigid_point(PointSetting& s, MotionRecord& record) {
   const SimulateScene& scene = s.scene;
   const MovingBody& b = scene.body;
   const dynamics::PointMotion motion({b.mass, b.spring, b.damper, b.support_speed}, scene.law);
+  const auto note = [&](const PointEvent& e) {
+    record.events.push_back({name_of(e.kind), e.time, e.error, along_x(e.state.x), {}, s.margin(e.time, e.state.x)});
+    if (e.kind == PointEvent::Kind::stop) record.rest = record.events.back();
+  };
   const auto result = motion({[&s](double t) { return s.load(t); },
                               [&scene](double t) { return scene.normal_force(t); }, scene.loads.corners()},
-                             {b.place[0], b.twist[0]}, 0, scene.end(), {s.tolerance, s.longest_step}, s.times,
+                             {b.place[0], b.twist[0]}, 0, scene.end(), {s.tolerance, s.longest_step, note}, s.times,
                              [&](double t, const PointState& at, double friction) {
                                MotionRow row{t, along_x(at.x), along_x(at.v)};
                                row.friction = along_x(friction);
@@ -92,10 +97,8 @@ void simulate_rigid_point(PointSetting& s, MotionRecord& record) {
                                row.dissipated = at.friction_loss + at.damper_loss;
                                s.add(record, row);
                              });
-  for (const PointEvent& e : result.events) {
-    record.events.push_back({name_of(e.kind), e.time, e.error, along_x(e.state.x), {}, s.margin(e.time, e.state.x)});
-    if (e.kind == PointEvent::Kind::stop) record.rest = record.events.back();
-  }
+  record.events.clear();  // the same, with the errors of their times
+  std::ranges::for_each(result.events, note);
 }
 
 // x, v, kappa, work of load and support, loss.
@@ -188,12 +191,7 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
       return false;
     };
     while (next < s.times.size() && s.times[next] <= end) {
-      double to = std::min(s.times[next], flow.time() + s.longest_step);
-      for (; to < s.times[next]; to = std::min(s.times[next], to + s.longest_step)) {
-        InterruptGuard::check();
-        flow.run(to, note);
-      }
-      flow.run(s.times[next], note);
+      run_in_steps(flow, s.times[next], s.longest_step, note);
       const Flow::State& x = flow.state();
       const Friction R = friction(std::min(flow.time(), last), x);
       MotionRow row{flow.time(), along_x(x[0]), along_x(x[1])};
@@ -207,10 +205,7 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
       s.add(record, row);
       ++next;
     }
-    if (next < s.times.size()) {
-      for (double to = flow.time() + s.longest_step; to < end; to += s.longest_step) flow.run(to, note);
-      flow.run(end, note);
-    }
+    if (next < s.times.size()) run_in_steps(flow, end, s.longest_step, note);
     y = flow.state();
     t = end;
   }

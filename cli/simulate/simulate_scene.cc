@@ -35,10 +35,12 @@ dynamics::Vector3 read_pair(const TomlReader& table, std::string_view key, const
           table.number(xy[1], fmt::format("{}[1]", key), quantity), 0};
 }
 
+constexpr std::array<std::string_view, 10> body_keys{"mass", "inertia", "place",  "angle",  "velocity",
+                                                     "spin", "settled", "spring", "damper", "support_speed"};
+
 MovingBody read_body(const TomlReader& scene, bool point) {
   if (!scene.has("body")) scene.refuse("body", "a table [body] with its 'mass'");
-  const TomlReader table = scene.table("body", {"mass", "inertia", "place", "angle", "velocity", "spin", "settled",
-                                                "spring", "damper", "support_speed"});
+  const TomlReader table = scene.table("body", body_keys);
   MovingBody body{.mass = table.number("mass", positive("a mass in kg"))};
   body.place = read_pair(table, "place", any_sign("a place in m"), "a place [x, y] in m");
   body.twist = read_pair(table, "velocity", speed, "a velocity [vx, vy] in m/s");
@@ -237,8 +239,16 @@ SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLi
   std::string title = scene.has("title") ? scene.text("title") : "";
   const MovingBody body = read_body(scene, point);
   Following following = read_following(scene, point);
+  if (body.settled && !has_bristles(following.method)) {
+    scene.table("body", body_keys)
+        .refuse("settled", fmt::format("not used by method = \"{}\"", name_of(following.method)));
+  }
   const Course pressing = read_pressing(scene, following.method);
   AppliedLoads loads(read_applied(scene, point), {pressing});
+  if (following.times[following.times.size() - 1] / loads.longest_step() > most_steps) {
+    scene.refuse("applied", fmt::format("loads that change so fast need steps of {:.3g} s, more than {:.0e} of them",
+                                        loads.longest_step(), most_steps));
+  }
   Contact contact = read_contact(scene, materials);
   if (!point && !(any_patch(contact).moments().polar > 0))
     scene.refuse("contact", "a single point has patch = \"point\"; a body in the plane needs a contact with a size");

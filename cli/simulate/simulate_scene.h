@@ -21,7 +21,7 @@
 namespace patchgrip::cli {
 
 constexpr double most_times = 1e6;
-constexpr double most_steps = 1e9;  // of return mapping, and of a point
+constexpr double most_steps = 1e9;  // of return mapping, or under a load that changes
 
 // Of bodies and of points, in the order of their names in simulate_scene.cc.
 enum class FrictionMethod { rigid, return_mapping, elastoplastic, elastoplastic_printed, lugre, dahl, tanh, karnopp };

@@ -6,34 +6,22 @@
 
 #include <patchgrip/cli/scene/scene_error.h>
 
+#include "bad_scene.h"
 #include "grasp_scenes.h"
 
 namespace patchgrip::cli {
 namespace {
 
+using test::BadScene;
+using test::expect_refused;
 using test::good_grasp;
 using test::grasp_scene;
 using test::with;
 
-struct Bad {
-  std::string name;
-  std::string text;
-  std::size_t line;
-  std::string message;
-};
-
-void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
-
-class BadGrasp : public ::testing::TestWithParam<Bad> {};
+class BadGrasp : public ::testing::TestWithParam<BadScene> {};
 
 TEST_P(BadGrasp, IsRefusedWithLineAndReason) {
-  try {
-    grasp_scene(GetParam().text);
-    FAIL() << "accepted";
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.line(), GetParam().line) << error.what();
-    EXPECT_THAT(error.what(), ::testing::HasSubstr(GetParam().message));
-  }
+  expect_refused(GetParam(), [](const std::string& text) { return grasp_scene(text); });
 }
 
 std::string contact(const std::string& from, const std::string& to) { return with(good_grasp, from, to); }
@@ -42,42 +30,46 @@ std::string more(const std::string& text) { return good_grasp + text; }
 INSTANTIATE_TEST_SUITE_P(
     Scenes, BadGrasp,
     ::testing::Values(
-        Bad{"no contacts", "[[loads]]\nforce = [0, 0, 1]\n", 1, "contacts: missing"},
-        Bad{"no load", good_grasp.substr(good_grasp.find("[[contacts]]")), 1,
-            "loads: missing: 'least_grip' needs a load"},
-        Bad{"a table of another question", more("[friction]\nmu = 1\n"), 19, "not used by 'grasp'"},
-        Bad{"no normal", contact("normal = [1, 0, 0]\n", ""), 5, "contacts[0].normal: missing"},
-        Bad{"normal 0", contact("normal = [1, 0, 0]", "normal = [0, 0, 0]"), 7, "not 0"},
-        Bad{"tangent along the normal", contact("tangent = [0, 1, 0]\npatch", "tangent = [2, 0, 0]\npatch"), 8,
-            "contacts[0].tangent"},
-        Bad{"two numbers", contact("position = [0.03, 0, 0]", "position = [0.03, 0]"), 6, "a place [x, y, z] in m"},
-        Bad{"negative mu", contact("mu = 0.5\n[[contacts]]", "mu = -0.5\n[[contacts]]"), 11, "contacts[0].mu = -0.5"},
-        Bad{"no model", contact("patch = \"hertz_disc\"\nradius = 0.005\n", ""), 5, "needs one of 'model'"},
-        Bad{"unknown model", contact("soft_elliptic", "soft_eliptic"), 16, "soft_elliptic"},
-        Bad{"a point with a moment", contact("soft_elliptic", "point"), 17, "not used by a point contact"},
-        Bad{"a point load as a patch", contact("\"hertz_disc\"\nradius = 0.005", "\"point\""), 9, "contacts[0].patch"},
-        Bad{"limit 0", contact("radius = 0.005\n", "radius = 0.005\nlimit = 0\n"), 11, "contacts[0].limit"},
-        Bad{"near without a mesh", contact("position = [0.03, 0, 0]\nnormal = [1, 0, 0]", "near = [0, 0, 0]"), 6,
-            "give its 'mesh' in [object]"},
-        Bad{"unknown key", contact("mu = 0.5\n[[contacts]]", "mu = 0.5\nlimt = 3\n[[contacts]]"), 12, "limit"},
-        Bad{"an empty load", more("[[loads]]\nat = [0, 0, 0]\n"), 19, "needs 'force' or 'moment'"},
-        Bad{"a load that is no vector", contact("force = [0, 0, -4.905]", "force = 3"), 2, "a force [x, y, z] in N"},
-        Bad{"unknown question", more("[question]\nask = \"least_gripp\"\n"), 20, "least_grip"},
-        Bad{"limits are needed", more("[question]\nask = \"load_factor\"\n"), 5, "needs a 'limit'"},
-        Bad{"growing without bodies", more("[question]\nask = \"growing_grip\"\n"), 5,
-            "asked of contacts between 'bodies'"},
-        Bad{"length 0", more("[question]\nlength = 0\n"), 20, "question.length = 0"},
-        Bad{"a family of two", more("[family]\nturn = [0]\nmu = [0.1]\n"), 21, "a family has one parameter"},
-        Bad{"a family of none", more("[family]\naxis = [1, 0, 0]\n"), 19, "needs 'turn' or 'offset'"},
-        Bad{"a family of another question", more("[question]\nask = \"distance\"\n[family]\nmu = [0.1]\n"), 21,
-            "not used with another question"},
-        Bad{"an axis without a turn", more("[family]\nmu = [0.1]\naxis = [1, 0, 0]\n"), 21,
-            "used with 'turn' and 'offset'"},
-        Bad{"gravity without mass", more("[object]\ngravity = [0, 0, -9.81]\n"), 20, "used with 'mass'"},
-        Bad{"mass 0", more("[object]\nmass = 0\n"), 20, "object.mass = 0"},
-        Bad{"a turn without inertia", more("[object]\nmass = 1\n[carried]\nturn_rate = [0, 0, 1]\n"), 19,
-            "object.inertia: missing"},
-        Bad{"carried without an object", more("[carried]\nturn_rate = [0, 0, 1]\n"), 19, "needs [object]"}));
+        BadScene{"no contacts", "[[loads]]\nforce = [0, 0, 1]\n", 1, "contacts: missing"},
+        BadScene{"no load", good_grasp.substr(good_grasp.find("[[contacts]]")), 1,
+                 "loads: missing: 'least_grip' needs a load"},
+        BadScene{"a table of another question", more("[friction]\nmu = 1\n"), 19, "not used by 'grasp'"},
+        BadScene{"no normal", contact("normal = [1, 0, 0]\n", ""), 5, "contacts[0].normal: missing"},
+        BadScene{"normal 0", contact("normal = [1, 0, 0]", "normal = [0, 0, 0]"), 7, "not 0"},
+        BadScene{"tangent along the normal", contact("tangent = [0, 1, 0]\npatch", "tangent = [2, 0, 0]\npatch"), 8,
+                 "contacts[0].tangent"},
+        BadScene{"two numbers", contact("position = [0.03, 0, 0]", "position = [0.03, 0]"), 6,
+                 "a place [x, y, z] in m"},
+        BadScene{"negative mu", contact("mu = 0.5\n[[contacts]]", "mu = -0.5\n[[contacts]]"), 11,
+                 "contacts[0].mu = -0.5"},
+        BadScene{"no model", contact("patch = \"hertz_disc\"\nradius = 0.005\n", ""), 5, "needs one of 'model'"},
+        BadScene{"unknown model", contact("soft_elliptic", "soft_eliptic"), 16, "soft_elliptic"},
+        BadScene{"a point with a moment", contact("soft_elliptic", "point"), 17, "not used by a point contact"},
+        BadScene{"a point load as a patch", contact("\"hertz_disc\"\nradius = 0.005", "\"point\""), 9,
+                 "contacts[0].patch"},
+        BadScene{"limit 0", contact("radius = 0.005\n", "radius = 0.005\nlimit = 0\n"), 11, "contacts[0].limit"},
+        BadScene{"near without a mesh", contact("position = [0.03, 0, 0]\nnormal = [1, 0, 0]", "near = [0, 0, 0]"), 6,
+                 "give its 'mesh' in [object]"},
+        BadScene{"unknown key", contact("mu = 0.5\n[[contacts]]", "mu = 0.5\nlimt = 3\n[[contacts]]"), 12, "limit"},
+        BadScene{"an empty load", more("[[loads]]\nat = [0, 0, 0]\n"), 19, "needs 'force' or 'moment'"},
+        BadScene{"a load that is no vector", contact("force = [0, 0, -4.905]", "force = 3"), 2,
+                 "a force [x, y, z] in N"},
+        BadScene{"unknown question", more("[question]\nask = \"least_gripp\"\n"), 20, "least_grip"},
+        BadScene{"limits are needed", more("[question]\nask = \"load_factor\"\n"), 5, "needs a 'limit'"},
+        BadScene{"growing without bodies", more("[question]\nask = \"growing_grip\"\n"), 5,
+                 "asked of contacts between 'bodies'"},
+        BadScene{"length 0", more("[question]\nlength = 0\n"), 20, "question.length = 0"},
+        BadScene{"a family of two", more("[family]\nturn = [0]\nmu = [0.1]\n"), 21, "a family has one parameter"},
+        BadScene{"a family of none", more("[family]\naxis = [1, 0, 0]\n"), 19, "needs 'turn' or 'offset'"},
+        BadScene{"a family of another question", more("[question]\nask = \"distance\"\n[family]\nmu = [0.1]\n"), 21,
+                 "not used with another question"},
+        BadScene{"an axis without a turn", more("[family]\nmu = [0.1]\naxis = [1, 0, 0]\n"), 21,
+                 "used with 'turn' and 'offset'"},
+        BadScene{"gravity without mass", more("[object]\ngravity = [0, 0, -9.81]\n"), 20, "used with 'mass'"},
+        BadScene{"mass 0", more("[object]\nmass = 0\n"), 20, "object.mass = 0"},
+        BadScene{"a turn without inertia", more("[object]\nmass = 1\n[carried]\nturn_rate = [0, 0, 1]\n"), 19,
+                 "object.inertia: missing"},
+        BadScene{"carried without an object", more("[carried]\nturn_rate = [0, 0, 1]\n"), 19, "needs [object]"}));
 
 TEST(GraspQuestion, OnTheCommandLineHasToBeKnown) {
   EXPECT_NO_THROW(grasp_scene(good_grasp, "distance"));

@@ -7,34 +7,22 @@
 
 #include <patchgrip/cli/scene/scene_error.h>
 
+#include "bad_scene.h"
 #include "limit_scenes.h"
 
 namespace patchgrip::cli {
 namespace {
 
+using test::BadScene;
+using test::expect_refused;
 using test::good_limit;
 using test::limit_scene;
 using test::with;
 
-struct Bad {
-  std::string name;
-  std::string text;
-  std::size_t line;
-  std::string message;
-};
-
-void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
-
-class BadLimit : public ::testing::TestWithParam<Bad> {};
+class BadLimit : public ::testing::TestWithParam<BadScene> {};
 
 TEST_P(BadLimit, IsRefusedWithLineAndReason) {
-  try {
-    limit_scene(GetParam().text);
-    FAIL() << "accepted";
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.line(), GetParam().line) << error.what();
-    EXPECT_THAT(error.what(), ::testing::HasSubstr(GetParam().message));
-  }
+  expect_refused(GetParam(), [](const std::string& text) { return limit_scene(text); });
 }
 
 const std::string parts = R"([[contact.parts]]
@@ -59,7 +47,7 @@ std::string points(const std::string& keys, const std::string& vertices = "[[-1,
   return "[contact]\npatch = \"pressure_points\"\n" + keys + "\nvertices = " + vertices + "\nnormal_force = 1\n";
 }
 
-std::vector<Bad> bad_scenes() {
+std::vector<BadScene> bad_scenes() {
   return {
       {"NoContact", "[friction]\nmu = 1\n", 1, "contact: missing"},
       {"NothingTouches", "[contact]\nnormal_force = 1\n", 1, "contact: needs 'patch'"},

@@ -319,9 +319,12 @@ TEST_P(Interrupt, LeavesTheOldTableAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(Program, Interrupt, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const auto& signal) { return std::string("Signal") + std::to_string(signal.param); });
 
-// What was found until then is written.
-TEST_P(Interrupt, KeepsTheMotionSoFar) {
-  const std::string scene = scene_text("slow", R"([contact]
+// What was found until then is written: rows, and events, whose errors nobody knows yet.
+class InterruptedMotion : public Interrupt {
+ protected:
+  // Stops a motion by `method` after a second; the answer.
+  std::string stopped(const std::string& method) {
+    const std::string scene = scene_text("slow", R"([contact]
 patch = "rectangle"
 sides = [0.1, 0.03]
 normal_force = 10
@@ -334,24 +337,37 @@ inertia = 0.001
 force = [6, 0]
 sine = { angular_frequency = 3 }
 [motion]
-method = "return_mapping"
-step = 1e-5
-stiffness = 1e6
-turn_stiffness = 1e3
-times = { from = 0, to = 1000, count = 100001 }
-)");
-  const auto table = folder_ / "motion.csv", json = folder_ / "answer.json";
-  const int null = open("/dev/null", O_RDWR);
-  const pid_t child = start({"simulate", scene, "-o", json.string(), "--table", table.string()}, null, null);
-  std::this_thread::sleep_for(1s);
-  kill(child, GetParam());
-  EXPECT_EQ(code_of(child), 128 + GetParam());
-  EXPECT_THAT(content(json), HasSubstr("stopped before its end: what follows t = "));
-  const std::string rows = content(table);
-  EXPECT_THAT(rows, HasSubstr("# warning: stopped before its end"));
-  EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 12);
-  close(null);
+times = { from = 0, to = 5000, count = 500001 }
+)" + method);
+    const auto table = folder_ / "motion.csv", json = folder_ / "answer.json";
+    const int null = open("/dev/null", O_RDWR);
+    const pid_t child = start({"simulate", scene, "-o", json.string(), "--table", table.string()}, null, null);
+    std::this_thread::sleep_for(1s);
+    kill(child, GetParam());
+    EXPECT_EQ(code_of(child), 128 + GetParam());
+    close(null);
+    const std::string rows = content(table);
+    EXPECT_THAT(rows, HasSubstr("# warning: stopped before its end"));
+    EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 12);
+    return content(json);
+  }
+};
+
+TEST_P(InterruptedMotion, OfBristlesIsKept) {
+  const std::string json = stopped("method = \"return_mapping\"\nstep = 1e-5\nstiffness = 1e6\nturn_stiffness = 1e3\n");
+  EXPECT_THAT(json, HasSubstr("stopped before its end: what follows t = "));
+  EXPECT_THAT(json, HasSubstr("\"event\": \"break_away\""));
 }
+
+TEST_P(InterruptedMotion, OfARigidBodyIsKept) {
+  const std::string json = stopped("method = \"rigid\"\n");
+  EXPECT_THAT(json, HasSubstr("stopped before its end: what follows t = "));
+  EXPECT_THAT(json, HasSubstr("\"event\": \"break_away\""));
+  EXPECT_THAT(json, HasSubstr("\"error\": null"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Program, InterruptedMotion, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto& signal) { return std::string("Signal") + std::to_string(signal.param); });
 
 class Terminal : public Program {
  protected:

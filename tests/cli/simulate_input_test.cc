@@ -7,35 +7,23 @@
 
 #include <patchgrip/cli/scene/scene_error.h>
 
+#include "bad_scene.h"
 #include "simulate_scenes.h"
 
 namespace patchgrip::cli {
 namespace {
 
+using test::BadScene;
+using test::expect_refused;
 using test::good_point;
 using test::good_puck;
 using test::simulate_scene;
 using test::with;
 
-struct Bad {
-  std::string name;
-  std::string text;
-  std::size_t line;
-  std::string message;
-};
-
-void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
-
-class BadSimulate : public ::testing::TestWithParam<Bad> {};
+class BadSimulate : public ::testing::TestWithParam<BadScene> {};
 
 TEST_P(BadSimulate, IsRefusedWithLineAndReason) {
-  try {
-    simulate_scene(GetParam().text);
-    FAIL() << "accepted";
-  } catch (const SceneError& error) {
-    EXPECT_EQ(error.line(), GetParam().line) << error.what();
-    EXPECT_THAT(error.what(), ::testing::HasSubstr(GetParam().message));
-  }
+  expect_refused(GetParam(), [](const std::string& text) { return simulate_scene(text); });
 }
 
 std::string puck(const std::string& from, const std::string& to) { return with(good_puck, from, to); }
@@ -43,7 +31,7 @@ std::string point(const std::string& from, const std::string& to) { return with(
 std::string applied(const std::string& keys) { return good_puck + "[[applied]]\n" + keys + "\n"; }
 std::string method(const std::string& keys) { return puck("method = \"rigid\"", keys); }
 
-std::vector<Bad> bad_scenes() {
+std::vector<BadScene> bad_scenes() {
   return {
       {"NoBody", puck("[body]\nmass = 1\ninertia = 0.00125\nvelocity = [1, 0]\nspin = 20\n", ""), 1, "body: missing"},
       {"NoMotion", puck("[motion]\nmethod = \"rigid\"\ntimes = { from = 0, to = 0.4, count = 41 }\n", ""), 1,
@@ -55,6 +43,10 @@ std::vector<Bad> bad_scenes() {
       {"VelocityOfThree", puck("[1, 0]", "[1, 0, 0]"), 10, "body.velocity = [1, 0, 0]: a velocity [vx, vy]"},
       {"VelocityNotFinite", puck("[1, 0]", "[nan, 0]"), 10, "body.velocity[0] = nan"},
       {"Misspelt", puck("spin", "spn"), 11, "body.spn = 20: unknown key; did you mean 'spin'?"},
+      {"SettledWithoutBristles", puck("spin = 20", "spin = 20\nsettled = true"), 12,
+       "body.settled = true: not used by method = \"rigid\""},
+      {"LoadThatChangesTooFast", applied("force = [1, 0]\nsine = { angular_frequency = 1e20 }"), 15,
+       "loads that change so fast need steps of"},
       {"SpringOfABody", puck("spin = 20", "spring = 20"), 11, "body.spring = 20: used with patch = \"point\""},
       {"UnknownMethod", method("method = \"rigd\""), 13,
        "motion.method = \"rigd\": unknown name; did you mean 'rigid'?"},

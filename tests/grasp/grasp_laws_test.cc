@@ -15,16 +15,6 @@ using Class = GraspDraws::Class;
 
 double least_grip(const DrawnGrasp& g, const Vector6& load) { return Grasp(g.made()).least_grip(load).value; }
 
-std::vector<DrawnGrasp> held_grasps(unsigned seed, int count) {
-  GraspDraws draws(seed);
-  std::vector<DrawnGrasp> all;
-  for (int i = 0; i < testing::cases(count); ++i) {
-    DrawnGrasp g = draws.draw(Class::inside);
-    if (g.load.norm() > 0) all.push_back(std::move(g));
-  }
-  return all;
-}
-
 TEST(GraspLaws, GripIsHomogeneousInTheLoad) {
   for (const DrawnGrasp& g : held_grasps(1, 40)) {
     const double s = least_grip(g, g.load);

@@ -41,16 +41,6 @@ TEST(QuadraticGrip, Table) {
   }
 }
 
-std::vector<DrawnGrasp> held_grasps(unsigned seed, int count) {
-  GraspDraws draws(seed);
-  std::vector<DrawnGrasp> all;
-  for (int i = 0; i < testing::cases(count); ++i) {
-    DrawnGrasp g = draws.draw(Class::inside);
-    if (g.load.norm() > 0) all.push_back(std::move(g));
-  }
-  return all;
-}
-
 TEST(QuadraticGrip, ClosesItsBracket) {
   for (const DrawnGrasp& g : held_grasps(41, 60)) {
     Grasp grasp(g.made());

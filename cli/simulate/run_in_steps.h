@@ -1,0 +1,18 @@
+// Follows a flow (dynamics/trajectory.h) to a time, without stepping over what a load that oscillates does in between.
+#pragma once
+
+#include <patchgrip/cli/interrupt.h>
+
+namespace patchgrip::cli {
+
+// `note` as Trajectory::run takes it. Throws Interrupted.
+template <class Flow, class Note>
+void run_in_steps(Flow& flow, double time, double longest_step, const Note& note) {
+  while (time - flow.time() > longest_step) {
+    InterruptGuard::check();
+    flow.run(flow.time() + longest_step, note);
+  }
+  flow.run(time, note);
+}
+
+}  // namespace patchgrip::cli
