@@ -16,6 +16,7 @@ constexpr double unit = 0x1p-53;
 constexpr double value_digits = 1e-9;
 
 constexpr int most_halvings = 20;
+constexpr int most_idle = 8;  // steps in a row that improve neither balance nor bound
 
 double square(double x) { return x * x; }
 
@@ -286,7 +287,7 @@ bool QuadraticGrip::solve(const Vector6& load, const Weights& weights, int max_i
   int idle = 0;
   const auto out_of_balance = [&](const Dual& at) { return at.balance.norm() / (1 + at.total); };
   double best = out_of_balance(dual);
-  for (iterations_ = 0; iterations_ < max_iterations && best > 2 * unit && idle < 5; ++iterations_) {
+  for (iterations_ = 0; iterations_ < max_iterations && best > 2 * unit && idle < most_idle; ++iterations_) {
     const Vector6 slope = P.transpose() * dual.balance;
     if (!factor(regular * slope.norm())) break;
     const Vector6 step = P * K_.solve(slope);
