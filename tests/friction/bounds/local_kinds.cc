@@ -27,15 +27,15 @@ Case local_case(const BoundedWrench& found, const LocalExcess& exact, const Twis
 Case ring(Draw& draw) {
   const double a = draw.log_uniform(1e-3, 10);
   const Twist u = random_twist(draw.engine(), a, a);
-  return local_case(stribeck_excess(Ring::of_radius(a), u), ring_excess(a, a, u), u, a);
+  return local_case(stribeck_excess(Ring::of_radius(a), u), ring_excess(a, u), u, a);
 }
 
 Case power_ellipse(Draw& draw, double n, double least_aspect, double largest_aspect) {
   const double a = draw.log_uniform(1e-3, 10), aspect = draw.log_uniform(least_aspect, largest_aspect);
   const double b = draw.coin() ? a * aspect : a / aspect;
   const Twist u = random_twist(draw.engine(), a, b);
-  const LocalExcess exact = n == -0.5 && u.w != 0 ? ring_excess(a, b, u) : power_ellipse_excess(a, b, n, u);
-  return local_case(stribeck_excess(PowerEllipse::of_semi_axes(a, b, n), u), exact, u, std::max(a, b));
+  return local_case(stribeck_excess(PowerEllipse::of_semi_axes(a, b, n), u), power_ellipse_excess(a, b, n, u), u,
+                    std::max(a, b));
 }
 
 // From `least` up, next to it, too, and those in closed form.
