@@ -50,7 +50,7 @@ InteriorPoint::InteriorPoint(const ScaledGrasp& grasp)
       cones_.back().joins = true;
     }
     slots_.push_back({layers[k][layer], static_cast<int>(part.contact % lanes)});
-    patches_ |= part.element.kind() == Element::Kind::patch;
+    has_patches_ |= part.element.kind() == Element::Kind::patch;
   }
   balanced_x_.resize(cones_.size());
 }
@@ -66,7 +66,8 @@ void InteriorPoint::set_columns(std::size_t part) noexcept {
   }
 }
 
-void InteriorPoint::start(const GripProblem& problem) noexcept {
+void InteriorPoint::start(const GripProblem& problem, double settled_gap) noexcept {
+  settled_gap_ = settled_gap;
   const bool elastic = problem.objective == Objective::distance;
   factored_load_ = problem.objective == Objective::load_factor;
   blocks_ = {cones_.data(),    cones_.size(), caps_.data(), caps_.size(), elastic ? &elastic_ : nullptr,
@@ -144,12 +145,12 @@ InteriorPoint::Status InteriorPoint::run(double tolerance, int max_iterations) n
     for (std::size_t k = 0; k < cones_.size(); ++k) cones_[k].x = balanced_x_[k];
   }
   balanced_ = false;
-  renewing_ = patches_;
+  renewing_ = has_patches_;
   best_ = std::numeric_limits<double>::infinity();
   idle_ = 0;
   for (;; ++iterations_) {
     if (renewing_ && std::min(gap_, ray_) < 0.1) renew_ellipsoids();
-    if (gap_ < 1e-4) renewing_ = false;
+    if (gap_ < settled_gap_) renewing_ = false;
     gap_ = residuals();
     if (gap_ < tolerance) return Status::optimal;
     if (ray_ < tolerance) return Status::infeasible;

@@ -13,8 +13,9 @@
 // s or lambda is left: the work is linear in the number of contacts.
 //
 // Exact patches: the ellipsoid is renewed on the way to the one that has value, gradient and Hessian of D at the present
-// slip (element.h), until the gap is 1e-4: what is left is of second order in that. polish.h and bracket.h do not rely on
-// it.
+// slip (element.h), until the gap is `settled_gap`. Renewing costs iterations, and early ellipsoids may tell the wrong
+// slip: of friction coefficients over decades one optimum in twenty is missed with 1e-2 that 1e-4 finds, in nearly
+// twice the time. polish.h and bracket.h do not rely on it.
 //
 // Status   optimal, or infeasible (max_force, total_force: the twist is a ray with all rho_i <= 0), to the tolerance; or
 //          stalled: normal equations give about 1e-9 and no more. The iterates stay valid, and run() goes on from them.
@@ -36,12 +37,13 @@ class InteriorPoint {
   explicit InteriorPoint(const ScaledGrasp& grasp);
 
   // Afresh; `problem` must be of the same grasp.
-  void start(const GripProblem& problem) noexcept;
+  void start(const GripProblem& problem, double settled_gap = 1e-4) noexcept;
   Status run(double tolerance, int max_iterations) noexcept;
 
   // Moves the forces into balance, in the metric of the present scaling. run() goes on from where they were.
   bool balance() noexcept;
 
+  bool has_patches() const noexcept { return has_patches_; }
   int iterations() const noexcept { return iterations_; }
   double gap() const noexcept { return gap_; }
 
@@ -93,7 +95,8 @@ class InteriorPoint {
   std::vector<Packed<4, Pack>> balanced_x_;  // x before balance()
   ElasticBlock elastic_{};
   Blocks blocks_{};
-  bool factored_load_ = false, patches_ = false, renewing_ = false, balanced_ = false;
+  bool factored_load_ = false, has_patches_ = false, renewing_ = false, balanced_ = false;
+  double settled_gap_ = 1e-4;
   int rank_ = 6;
 
   Vector6 b_, w1_, y_, rp_;

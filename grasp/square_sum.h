@@ -21,6 +21,7 @@ class TriangleOfRows {
   void add(const Columns& C) {
     constexpr int rows = Columns::ColsAtCompileTime;
     Eigen::Matrix<double, rows, 6> below = C.transpose();
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
       const double size = std::sqrt(R_(j, j) * R_(j, j) + below.col(j).squaredNorm());
       if (size == 0) continue;
@@ -29,6 +30,7 @@ class TriangleOfRows {
       // I - u u^T / (-diagonal first), u = (first, below.col(j))
       const Eigen::Matrix<double, rows, 1> u = below.col(j) / first;
       const double pace = -first / diagonal;
+#pragma GCC unroll 6
       for (int k = j + 1; k < 6; ++k) {
         const double dot = pace * (R_(j, k) + u.dot(below.col(k)));
         R_(j, k) -= dot;
@@ -82,11 +84,16 @@ class SquareSum {
 
   Vector6 solve(const Vector6& r) const {
     Vector6 x = r;
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
+#pragma GCC unroll 6
       for (int i = j + 1; i < 6; ++i) x[i] -= L_(i, j) * x[j];
     }
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) x[j] *= inverse_[j];
+#pragma GCC unroll 6
     for (int j = 5; j >= 0; --j) {
+#pragma GCC unroll 6
       for (int i = j + 1; i < 6; ++i) x[j] -= L_(i, j) * x[i];
     }
     return x;
@@ -108,11 +115,15 @@ class SquareSum {
   // Of the lower triangle; false at a small pivot.
   bool factor_regular(Matrix6 M) {
     const Vector6 diagonal = M.diagonal();
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
       if (!(M(j, j) > smallest_pivot * diagonal[j])) return false;
       inverse_[j] = 1 / M(j, j);
+#pragma GCC unroll 6
       for (int i = j + 1; i < 6; ++i) L_(i, j) = M(i, j) * inverse_[j];
+#pragma GCC unroll 6
       for (int k = j + 1; k < 6; ++k) {
+#pragma GCC unroll 6
         for (int i = k; i < 6; ++i) M(i, k) -= L_(i, j) * M(k, j);
       }
     }
