@@ -20,6 +20,7 @@ Element::Element(Kind kind, const Contact& contact, const Vector3& position, dou
       e_(contact.cone().moment_length() / length),
       inverse_length_(1 / length) {
   if (kind == Kind::patch) surface_ = &contact.cone().surface();
+  metric_ = {kind == Kind::spin ? 0. : 1., kind == Kind::spin ? 0. : 1., kind == Kind::point ? 0. : e_};
   const auto column = [&](const Vector3& a) {
     const auto r = position.cast<long double>();
     return spatial(a, r.cross(a.cast<long double>()).cast<double>());
@@ -49,18 +50,6 @@ Eigen::Index Element::size() const noexcept {
   }
 }
 
-// v as the metric of point, spin and ellipsoid sees it.
-Vector3 Element::masked(const Vector3& v) const noexcept {
-  switch (kind_) {
-    case Kind::point:
-      return {v[0], v[1], 0};
-    case Kind::spin:
-      return {0, 0, e_ * v[2]};
-    default:
-      return {v[0], v[1], e_ * v[2]};
-  }
-}
-
 BoundedValue Element::dissipation(const Vector3& v) const noexcept {
   if (kind_ == Kind::normal) return {};
   if (kind_ == Kind::patch) {
@@ -70,17 +59,17 @@ BoundedValue Element::dissipation(const Vector3& v) const noexcept {
     const double size = speed * std::hypot(g.value.fx, g.value.fy) + std::fabs(u.w * g.value.m);
     return {friction::power(g.value, u), g.force_error * speed + g.moment_error * std::fabs(u.w) + 4 * unit * size};
   }
-  const double D = masked(v).norm();
+  const double D = metric_.cwiseProduct(v).norm();
   return {D, 4 * unit * D};
 }
 
 Vector3 Element::gradient(const Vector3& v) const noexcept {
   if (kind_ == Kind::normal) return Vector3::Zero();
   if (kind_ == Kind::patch) return scaled(surface_->patch().gradient(twist(v)));
-  const Vector3 s = masked(v);
+  const Vector3 s = metric_.cwiseProduct(v);
   const double D = s.norm();
   if (D == 0) return Vector3::Zero();
-  return masked(s) / D;
+  return metric_.cwiseProduct(s) / D;
 }
 
 bool Element::derivatives(const Vector3& v, Derivatives& d) const noexcept {
@@ -97,8 +86,8 @@ bool Element::derivatives(const Vector3& v, Derivatives& d) const noexcept {
     return true;
   }
   if (kind_ == Kind::spin) return true;
-  const Vector3 metric = masked(masked(Vector3::Ones()));
-  d.hessian = (Matrix3(metric.asDiagonal()) - d.gradient * d.gradient.transpose()) / d.value;
+  d.hessian.noalias() = d.gradient * (d.gradient / -d.value).transpose();
+  d.hessian.diagonal() += metric_.cwiseAbs2() / d.value;
   return true;
 }
 

@@ -70,12 +70,12 @@ class Element {
  private:
   friction::Twist twist(const Vector3& v) const noexcept { return {v[0], v[1], v[2] * inverse_length_}; }
   Vector3 scaled(const friction::Wrench& t) const noexcept { return {t.fx, t.fy, t.m * inverse_length_}; }
-  Vector3 masked(const Vector3& v) const noexcept;
 
   Kind kind_;
   double mu_;
   double e_;               // moment length / L
   double inverse_length_;  // 1 / L
+  Vector3 metric_;         // of a point, spin or ellipsoid: D = |metric v|
   const friction::LimitSurface<friction::AnyPatch>* surface_ = nullptr;
   Matrix64 G_;
 };

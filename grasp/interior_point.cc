@@ -152,16 +152,20 @@ InteriorPoint::Status InteriorPoint::run(double tolerance, int max_iterations) n
     if (renewing_ && std::min(gap_, ray_) < 0.1) renew_ellipsoids();
     if (gap_ < settled_gap_) renewing_ = false;
     gap_ = residuals();
-    if (gap_ < tolerance) return Status::optimal;
-    if (ray_ < tolerance) return Status::infeasible;
-    if (!std::isfinite(gap_) || iterations_ >= max_iterations) return Status::stalled;
+    const auto ended = [&](Status status) {
+      twist_size_ = y_.norm() > 0 ? twist().norm() : 0;
+      return status;
+    };
+    if (gap_ < tolerance) return ended(Status::optimal);
+    if (ray_ < tolerance) return ended(Status::infeasible);
+    if (!std::isfinite(gap_) || iterations_ >= max_iterations) return ended(Status::stalled);
     if (gap_ < 0.9 * best_) {
       best_ = gap_;
       idle_ = 0;
     } else if (++idle_ > 8) {
-      return Status::stalled;
+      return ended(Status::stalled);
     }
-    if (!factor() || !advance()) return Status::stalled;
+    if (!factor() || !advance()) return ended(Status::stalled);
   }
 }
 
@@ -372,7 +376,7 @@ InteriorPoint::PartPoint InteriorPoint::part(std::size_t index) const noexcept {
   const Eigen::Vector4d x = lane_of(cones_[block].x, lane), z = lane_of(cones_[block].z, lane);
   const double k = scale_ / tau_, mu = grasp_->parts()[index].element.mu();
   const double x_tail = x.tail<3>().norm(), z_tail = z.tail<3>().norm();
-  const double slip = mu > 0 && y_.norm() > 0 ? z_tail / (mu * tau_ * twist().norm()) : 0;
+  const double slip = mu > 0 && twist_size_ > 0 ? z_tail / (mu * tau_ * twist_size_) : 0;
   return {k * x[0], k * mu * (L_[index] * x.tail<3>()), x[0] - x_tail, x[0] + x_tail, z[0] - z_tail, z[0] + z_tail,
           slip};
 }

@@ -96,7 +96,7 @@ class InteriorPoint {
   ElasticBlock elastic_{};
   Blocks blocks_{};
   bool factored_load_ = false, has_patches_ = false, renewing_ = false, balanced_ = false;
-  double settled_gap_ = 1e-4;
+  double settled_gap_ = 1e-4, twist_size_ = 0;
   int rank_ = 6;
 
   Vector6 b_, w1_, y_, rp_;

@@ -117,6 +117,7 @@ bool Polish::assemble(const GripProblem& problem) noexcept {
     if (slides(element) && state.slide == Slide::slips) {
       Derivatives d;
       if (!element.derivatives(state.v, d)) return false;
+      work.gradient = d.gradient;
       work.g.noalias() -= element.mu() * (element.T() * d.gradient);
       const Eigen::Matrix<double, 6, 3> TH = (element.mu() * F) * (element.T() * d.hessian);
       H.noalias() -= TH * element.T().transpose();
@@ -221,7 +222,7 @@ void Polish::update(const GripProblem& problem) noexcept {
       continue;
     }
     // Never through the apex: there the slip, and with it the gradient, turns round.
-    const bool reversed = element.gradient(state.v).dot(v) <= 0;
+    const bool reversed = work_[i].gradient.dot(v) <= 0;
     state.v = reversed ? Vector3(0.1 * state.v) : v;
   }
   change_ = std::max(step_.head<6>().norm() / std::min(size_before, W_.norm()),
@@ -236,7 +237,8 @@ double Polish::newton(const GripProblem& problem, int max_steps) noexcept {
     update(problem);
     ++steps_;
     if (!(change_ < 10)) return change_;
-    if (change_ < 4e-16 || (change_ < 1e-10 && change_ > 0.3 * before)) break;
+    // What is left after a step is the square of its size, as that of the one before has shown.
+    if (change_ * (change_ / before) * (change_ / before) < 1e-17 || (change_ < 1e-10 && change_ > 0.3 * before)) break;
     before = change_;
   }
   pin_forces(problem);
@@ -260,7 +262,9 @@ bool Polish::repair(const GripProblem& problem, bool only_worst) noexcept {
     if (state.active) most = std::max(most, std::fabs(state.force));
   }
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    work_[i].rho = grasp_->parts()[i].element.resistance(W_, 0).value - one;
+    const Element& element = grasp_->parts()[i].element;
+    work_[i].speed = element.dissipation(element.sliding(W_)).value;
+    work_[i].rho = -element.N().dot(W_) + element.mu() * work_[i].speed - one;
   }
   bool any = false;
   Change worst;
@@ -279,7 +283,7 @@ bool Polish::repair(const GripProblem& problem, bool only_worst) noexcept {
     const bool capped = capped_[contact] != 0;
     PartState next = parts_[i];
     const Vector3 v = element.sliding(W_);
-    const double speed = element.dissipation(v).value;
+    const double speed = work_[i].speed;
     if (!next.active) {
       double multiplier = 0;
       for (const std::size_t j : {i - 1, i + 1}) {

@@ -64,13 +64,13 @@ class Polish {
     Eigen::Index unknown = -1;  // column of F and, after it, of the friction that sticks
     bool pinned = false;        // F follows from the cap
     Vector6 g;                  // d wrench / d F
-    double rho = 0;
+    Vector3 gradient;           // of D, where it slips
+    double speed = 0, rho = 0;  // D, resistance
   };
   struct Change;
 
   double cap(const GripProblem& problem, std::size_t contact) const noexcept;
   bool assemble(const GripProblem& problem) noexcept;
-  void add_force(const GripProblem& problem, std::size_t index, const Vector6& pinned, bool capped) noexcept;
   bool solve() noexcept;
   void update(const GripProblem& problem) noexcept;
   void pin_forces(const GripProblem& problem) noexcept;

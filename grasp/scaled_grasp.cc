@@ -87,12 +87,20 @@ ScaledGrasp::ScaledGrasp(const std::vector<Contact>& contacts, std::span<const s
 }
 
 // By a QR decomposition of all columns of G, friction moments in units of the moment length, that takes contact by
-// contact: squaring G would hide what is below 1e-8. R^-1 is as good as singular vectors unless the rank is in doubt.
+// contact, four at a time: squaring G would hide what is below 1e-8. R^-1 is as good as singular vectors unless the rank
+// is in doubt.
 void ScaledGrasp::find_range() {
+  constexpr std::size_t together = 4;
   TriangleOfRows triangle;
-  for (const Part& part : parts_) {
-    Matrix64 columns = part.element.G();
-    columns.rightCols<3>() *= part.element.surrogate();
+  Eigen::Matrix<double, 6, 4 * together> columns;
+  for (std::size_t i = 0; i < parts_.size(); i += together) {
+    if (i + together > parts_.size()) columns.setZero();
+    for (std::size_t k = 0; k < std::min(together, parts_.size() - i); ++k) {
+      const Element& element = parts_[i + k].element;
+      auto four = columns.middleCols<4>(static_cast<Eigen::Index>(4 * k));
+      four = element.G();
+      four.rightCols<3>() *= element.surrogate();
+    }
     triangle.add(columns);
   }
   const Matrix6& R = triangle.R();
