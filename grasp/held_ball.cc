@@ -14,7 +14,7 @@ namespace {
 
 constexpr double unit = 0x1p-53;
 
-// H and its gradient. Directions, of twists or loads, are of size 1 in the metric, in the coordinates that are asked for.
+// H and its gradient. Directions, of twists or loads, are of size 1 in the metric, in the coordinates asked for.
 struct Support {
   double value = 0;
   double error = 0;

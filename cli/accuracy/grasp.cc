@@ -21,9 +21,9 @@
 #include <patchgrip/grasp/grasp.h>
 #include <patchgrip/grasp/growing_grip.h>
 #include <patchgrip/grasp/held_ball.h>
-#include <patchgrip/grasp/worst_load.h>
 #include <patchgrip/grasp/inertial_load.h>
 #include <patchgrip/grasp/internal_forces.h>
+#include <patchgrip/grasp/worst_load.h>
 
 namespace patchgrip::cli {
 namespace {
