@@ -48,12 +48,22 @@ void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
   if (sized && !decided()) bracket_quadratic();
 }
 
+// Patches quickly first; with care where that does not do.
 void GripSolver::solve_conic() noexcept {
-  interior_.start(problem_);
+  if (interior_.has_patches()) {
+    solve_conic(1e-2);
+    if (closed() || cannot()) return;
+  }
+  solve_conic(1e-4);
+}
+
+void GripSolver::solve_conic(double settled_gap) noexcept {
+  interior_.start(problem_, settled_gap);
+  const int before = effort_.iterations;
   double tolerance = settings_.interior_tolerance;
   for (int attempt = 0; attempt < 3; ++attempt, tolerance *= 1e-2) {
     const InteriorPoint::Status status = interior_.run(tolerance, settings_.max_iterations);
-    effort_.iterations = interior_.iterations();
+    effort_.iterations = before + interior_.iterations();
     if (status == InteriorPoint::Status::infeasible) {
       bracket_.add_twist(interior_.twist());
       effort_.route = Route::ray;

@@ -49,6 +49,7 @@ class GripSolver {
   bool cannot() const noexcept;
   bool try_warm() noexcept;
   void solve_conic() noexcept;
+  void solve_conic(double settled_gap) noexcept;
   void bracket_polish() noexcept;
   void bracket_interior() noexcept;
   void bracket_quadratic() noexcept;

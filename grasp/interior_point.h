@@ -1,7 +1,8 @@
 // Primal-dual interior point for the problems of grip_problem.h, every cone an ellipsoid over its limit surface.
 //
 // The homogeneous self-dual embedding of  min c x : A x = b tau, x in K,  with Nesterov-Todd scaling and Mehrotra's
-// predictor and corrector. Each contact is eliminated on its own: with H of lorentz.h
+// predictor and corrector. Each contact is eliminated on its own, four side by side (interior_point_kernels.h): with H of
+// lorentz.h
 //
 // and A = (A_0, A_1) split like w = (w_0, w_1), c = 2 w_0^2 - 1, the cap F_i + slack_i = c_i s is a pivot D = eta^2 c + h,
 // h = slack / multiplier, and what the contact adds to the 6 x 6 matrix of the twist is a sum of squares,
@@ -12,8 +13,9 @@
 // s or lambda is left: the work is linear in the number of contacts.
 //
 // Exact patches: the ellipsoid is renewed on the way to the one that has value, gradient and Hessian of D at the present
-// slip (element.h), until the gap is 1e-4: what is left is of second order in that. polish.h and bracket.h do not rely on
-// it.
+// slip (element.h), until the gap is `settled_gap`. Renewing costs iterations, and early ellipsoids may tell the wrong
+// slip: of friction coefficients over decades one optimum in twenty is missed with 1e-2 that 1e-4 finds, in nearly
+// twice the time. polish.h and bracket.h do not rely on it.
 //
 // Status   optimal, or infeasible (max_force, total_force: the twist is a ray with all rho_i <= 0), to the tolerance; or
 //          stalled: normal equations give about 1e-9 and no more. The iterates stay valid, and run() goes on from them.
@@ -23,7 +25,7 @@
 #include <vector>
 
 #include <patchgrip/grasp/grip_problem.h>
-#include <patchgrip/grasp/lorentz.h>
+#include <patchgrip/grasp/interior_point_kernels.h>
 #include <patchgrip/grasp/square_sum.h>
 
 namespace patchgrip::grasp {
@@ -35,12 +37,13 @@ class InteriorPoint {
   explicit InteriorPoint(const ScaledGrasp& grasp);
 
   // Afresh; `problem` must be of the same grasp.
-  void start(const GripProblem& problem) noexcept;
+  void start(const GripProblem& problem, double settled_gap = 1e-4) noexcept;
   Status run(double tolerance, int max_iterations) noexcept;
 
   // Moves the forces into balance, in the metric of the present scaling. run() goes on from where they were.
   bool balance() noexcept;
 
+  bool has_patches() const noexcept { return has_patches_; }
   int iterations() const noexcept { return iterations_; }
   double gap() const noexcept { return gap_; }
 
@@ -60,63 +63,40 @@ class InteriorPoint {
   CapPoint cap(std::size_t contact) const noexcept;
 
  private:
-  template <int d>
-  struct Block {
-    using V = lorentz::Vector<d>;
-    Eigen::Matrix<double, 6, d> A;
-    lorentz::Scaling<d> scaling;
-    V x, z, rd, rx, dx, dz, px, pz;
-    Vector6 a;  // A H e_0
-    std::size_t contact = 0;
-    double cost = 0;
-
-    Eigen::Matrix<double, 6, d - 1> B;
-    double pivot;        // eta^2 c
-    bool joins = false;  // a part before it has the same cap
-    Vector6 difference;  // to those parts
-
-    // B, a and the pivot of the present scaling.
-    void set_squares() noexcept;
-  };
-  struct Cone : Block<4> {
-    Matrix3 L;  // t = mu F L s, |s| <= 1
-  };
-  struct Cap {
-    double slack, u;  // slack of F_i <= c_i s, multiplier
-    double c, c0;     // F + slack = c s + c0 tau
-    double h, D, q;   // slack / u, pivot, right-hand side
-    double rq, rc;    // residuals
-    double pivot;     // sum of eta^2 c of its parts
-    double dv, dslack, pv, pslack;
-    Vector6 a;  // sum of A H e_0
+  struct Slot {
+    std::size_t block;
+    int lane;
   };
   struct Step {
     Vector6 y;
     double border, dzs;  // of s or lambda; of the dual of s
   };
 
-  template <class F>
-  void each(F&& f) {
-    for (Cone& b : cones_) f(static_cast<Block<4>&>(b));
-    if (elastic_used_) f(elastic_);
-  }
-
-  void set_cone(Cone& cone, const Element& element) noexcept;
+  bool has_s() const noexcept { return blocks_.capped && !factored_load_; }
+  void set_columns(std::size_t part) noexcept;
   void renew_ellipsoids() noexcept;
   double residuals() noexcept;
   bool factor() noexcept;
-  template <bool corrector>
-  Step solve(double eta, double rs) noexcept;
-  Step reduced(const Vector6& right, double corner) const noexcept;
-  double longest(const Step& step, double dtau, double dkappa, double most) noexcept;
+  // The columns whose squares the blocks add up to, with the caps or without.
+  template <class Sink>
+  void emit(const Sink& sink) const;
+  Step reduced(const RightSide& r) const noexcept;
+  // The Newton step to the residuals times eta; or, without corrector, what a change of tau by one asks for; and what
+  // the objective gains by it.
+  Step solve(bool corrector, double eta, double rs, double& gain) noexcept;
   bool advance() noexcept;
 
   const ScaledGrasp* grasp_;
-  std::vector<Cone> cones_;
-  std::vector<Cap> caps_;
-  Block<7> elastic_;
-  bool elastic_used_ = false, capped_ = false, factored_load_ = false, patches_ = false;
-  bool renewing_ = false, balanced_ = false;
+  const InteriorPointKernels* kernels_;
+  std::vector<Slot> slots_;  // of the parts
+  std::vector<Matrix3> L_;   // t = mu F L s, |s| <= 1
+  std::vector<Cones> cones_;
+  std::vector<Caps> caps_;
+  std::vector<Packed<4, Pack>> balanced_x_;  // x before balance()
+  ElasticBlock elastic_{};
+  Blocks blocks_{};
+  bool factored_load_ = false, has_patches_ = false, renewing_ = false, balanced_ = false;
+  double settled_gap_ = 1e-4;
   int rank_ = 6;
 
   Vector6 b_, w1_, y_, rp_;

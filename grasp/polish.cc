@@ -173,11 +173,19 @@ bool Polish::solve() noexcept {
   }
   scaled_ = scale_.asDiagonal() * K_ * scale_.asDiagonal();
   right_ = -scale_.cwiseProduct(residual_);
-  lu_.setThreshold(1e-13);
-  lu_.compute(scaled_);
-  step_ = lu_.solve(right_);
-  right_ -= scaled_ * step_;
-  step_ += lu_.solve(right_);
+  const auto solve_refined = [&](const auto& lu) {
+    step_ = lu.solve(right_);
+    right_ -= scaled_ * step_;
+    step_ += lu.solve(right_);
+  };
+  regular_.compute(scaled_);
+  if (regular_.matrixLU().diagonal().cwiseAbs().minCoeff() > 1e-8) {
+    solve_refined(regular_);
+  } else {
+    singular_.setThreshold(1e-13);
+    singular_.compute(scaled_);
+    solve_refined(singular_);
+  }
   step_ = scale_.cwiseProduct(step_).eval();
   return step_.allFinite();
 }

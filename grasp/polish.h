@@ -88,7 +88,8 @@ class Polish {
 
   System K_, scaled_;
   Column residual_, step_, scale_, right_;
-  Eigen::FullPivLU<System> lu_;
+  Eigen::PartialPivLU<System> regular_;
+  Eigen::FullPivLU<System> singular_;
   double change_ = 0;
 };
 

@@ -1,9 +1,9 @@
 // Solves M x = r for M = sum C C^T, 6 x 6, given the C.
 //
-// Scaled to a unit diagonal and by Cholesky; where that meets a small pivot, by the QR decomposition of all C^T on top of
-// each other, which never forms M: it bears condition numbers of M up to 1e30 instead of 1e15.
+// By L D L^T; where that meets a pivot that is small against its diagonal, by the QR decomposition of all C^T on top of
+// each other, scaled to unit columns, which never forms M: it bears condition numbers of M up to 1e30 instead of 1e15.
 //
-// `emit(sink)` must call sink(C) with the columns C; it is called once or twice.
+// `emit(sink)` must call sink(C) with the columns C, as often as it is called.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,6 +21,7 @@ class TriangleOfRows {
   void add(const Columns& C) {
     constexpr int rows = Columns::ColsAtCompileTime;
     Eigen::Matrix<double, rows, 6> below = C.transpose();
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
       const double size = std::sqrt(R_(j, j) * R_(j, j) + below.col(j).squaredNorm());
       if (size == 0) continue;
@@ -29,6 +30,7 @@ class TriangleOfRows {
       // I - u u^T / (-diagonal first), u = (first, below.col(j))
       const Eigen::Matrix<double, rows, 1> u = below.col(j) / first;
       const double pace = -first / diagonal;
+#pragma GCC unroll 6
       for (int k = j + 1; k < 6; ++k) {
         const double dot = pace * (R_(j, k) + u.dot(below.col(k)));
         R_(j, k) -= dot;
@@ -51,39 +53,54 @@ class SquareSum {
   bool factor(const Emit& emit, int rank) {
     Matrix6 M = Matrix6::Zero();
     emit([&](const auto& C) { add_square(M, C); });
+    return factor(M, emit, rank);
+  }
+
+  // The lower triangle of M is known.
+  template <class Emit>
+  bool factor(Matrix6 M, const Emit& emit, int rank) {
     for (int j = rank; j < 6; ++j) M(j, j) = 1;
     if (!M.allFinite()) return false;
-    scale_ = M.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
     if (factor_regular(M)) return true;
+    const Vector6 scale = M.diagonal().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt().cwiseInverse();
     TriangleOfRows triangle;
     Matrix6 left_out = Matrix6::Zero();
     for (int j = rank; j < 6; ++j) left_out(j, j) = 1;
     triangle.add(left_out);
-    emit([&](const auto& C) { triangle.add((scale_.asDiagonal() * C).eval()); });
-    L_ = triangle.R().transpose();
-    const double largest = L_.diagonal().cwiseAbs().maxCoeff();
+    emit([&](const auto& C) { triangle.add((scale.asDiagonal() * C).eval()); });
+    Vector6 d = triangle.R().diagonal();
+    const double largest = d.cwiseAbs().maxCoeff();
     for (int j = 0; j < 6; ++j) {
-      if (std::fabs(L_(j, j)) < 1e-30 * largest) L_(j, j) = 1e-30 * largest;
+      if (std::fabs(d[j]) < 1e-30 * largest) d[j] = 1e-30 * largest;
     }
-    inverse_ = L_.diagonal().cwiseInverse();
+    // M = S^-1 R^T R S^-1
+    L_ = scale.cwiseInverse().asDiagonal() * triangle.R().transpose();
+    for (int j = 0; j < 6; ++j) {
+      L_.col(j) *= scale[j] / d[j];
+      inverse_[j] = scale[j] / d[j] * (scale[j] / d[j]);
+    }
     return L_.allFinite();
   }
 
   Vector6 solve(const Vector6& r) const {
-    Vector6 x = scale_.cwiseProduct(r);
+    Vector6 x = r;
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
-      x[j] *= inverse_[j];
+#pragma GCC unroll 6
       for (int i = j + 1; i < 6; ++i) x[i] -= L_(i, j) * x[j];
     }
+#pragma GCC unroll 6
+    for (int j = 0; j < 6; ++j) x[j] *= inverse_[j];
+#pragma GCC unroll 6
     for (int j = 5; j >= 0; --j) {
+#pragma GCC unroll 6
       for (int i = j + 1; i < 6; ++i) x[j] -= L_(i, j) * x[i];
-      x[j] *= inverse_[j];
     }
-    return scale_.cwiseProduct(x);
+    return x;
   }
 
  private:
-  static constexpr double smallest_pivot = 1e-5;  // of L: 1e-10 of M
+  static constexpr double smallest_pivot = 1e-10;  // of M scaled to a unit diagonal
 
   // The lower triangle.
   template <class Columns>
@@ -95,25 +112,26 @@ class SquareSum {
     }
   }
 
-  // Cholesky of the lower triangle; false at a small pivot.
-  bool factor_regular(const Matrix6& M) {
+  // Of the lower triangle; false at a small pivot.
+  bool factor_regular(Matrix6 M) {
+    const Vector6 diagonal = M.diagonal();
+#pragma GCC unroll 6
     for (int j = 0; j < 6; ++j) {
-      for (int i = j; i < 6; ++i) L_(i, j) = scale_[i] * M(i, j) * scale_[j];
-    }
-    for (int j = 0; j < 6; ++j) {
-      for (int k = 0; k < j; ++k) {
-        for (int i = j; i < 6; ++i) L_(i, j) -= L_(i, k) * L_(j, k);
+      if (!(M(j, j) > smallest_pivot * diagonal[j])) return false;
+      inverse_[j] = 1 / M(j, j);
+#pragma GCC unroll 6
+      for (int i = j + 1; i < 6; ++i) L_(i, j) = M(i, j) * inverse_[j];
+#pragma GCC unroll 6
+      for (int k = j + 1; k < 6; ++k) {
+#pragma GCC unroll 6
+        for (int i = k; i < 6; ++i) M(i, k) -= L_(i, j) * M(k, j);
       }
-      if (!(L_(j, j) > smallest_pivot * smallest_pivot)) return false;
-      inverse_[j] = 1 / std::sqrt(L_(j, j));
-      for (int i = j; i < 6; ++i) L_(i, j) *= inverse_[j];
     }
     return true;
   }
 
-  Vector6 scale_ = Vector6::Ones();
-  Matrix6 L_ = Matrix6::Identity();
-  Vector6 inverse_ = Vector6::Ones();  // of its diagonal
+  Matrix6 L_ = Matrix6::Identity();    // unit lower triangle
+  Vector6 inverse_ = Vector6::Ones();  // of D
 };
 
 }  // namespace patchgrip::grasp
