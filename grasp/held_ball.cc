@@ -7,16 +7,14 @@
 #include <utility>
 
 #include <patchgrip/contact/require.h>
+#include <patchgrip/grasp/spherical_simplex.h>
 
 namespace patchgrip::grasp {
 namespace {
 
 constexpr double unit = 0x1p-53;
 
-// A direction of twists (or loads), of size 1 in the metric, in the coordinates that span what is asked for.
-using Direction = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
-
-// H and its gradient.
+// H and its gradient. Directions, of twists or loads, are of size 1 in the metric, in the coordinates asked for.
 struct Support {
   double value = 0;
   double error = 0;
@@ -152,7 +150,7 @@ std::pair<double, Direction> Quality::descend(Direction y) {
 }
 
 struct Simplex {
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6> corners;
+  SimplexCorners corners;
   double bound;
   Direction middle;
   double value;  // of H there
@@ -161,7 +159,7 @@ struct Simplex {
 };
 
 void bound(Quality& quality, Simplex& simplex, double inherited) {
-  simplex.middle = simplex.corners.rowwise().sum().normalized();
+  simplex.middle = middle_of(simplex.corners);
   const Support h = quality.support(simplex.middle);
   simplex.value = h.value + h.error;
   // Held: the gradient, the load along the middle, and what lies between.
@@ -176,21 +174,8 @@ void bound(Quality& quality, Simplex& simplex, double inherited) {
   }
 }
 
-// Halved on its longest edge.
 std::pair<Simplex, Simplex> halves(const Simplex& simplex) {
-  const Eigen::Index n = simplex.corners.cols();
-  Eigen::Index a = 0, b = 1;
-  double least = 2;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = i + 1; j < n; ++j) {
-      const double cosine = simplex.corners.col(i).dot(simplex.corners.col(j));
-      if (cosine < least) {
-        least = cosine;
-        a = i;
-        b = j;
-      }
-    }
-  }
+  const auto [a, b] = longest_edge(simplex.corners);
   std::pair<Simplex, Simplex> both{simplex, simplex};
   const Direction middle = (simplex.corners.col(a) + simplex.corners.col(b)).normalized();
   both.first.corners.col(a) = middle;
@@ -228,13 +213,12 @@ HeldBall held_ball(const std::vector<Contact>& contacts, GripMeasure measure, do
   // The orthants, and the way down from the middle of each.
   std::priority_queue<Simplex> open;
   for (int signs = 0; signs < 1 << n; ++signs) {
-    Simplex orthant;
-    orthant.corners.setIdentity(n, n);
-    for (Eigen::Index j = 0; j < n; ++j) orthant.corners(j, j) = (signs >> j) % 2 == 0 ? 1 : -1;
-    bound(quality, orthant, 0);
-    lower_upper(orthant.value, orthant.middle);
-    search(orthant.middle);
-    open.push(std::move(orthant));
+    Simplex piece;
+    piece.corners = orthant(n, signs);
+    bound(quality, piece, 0);
+    lower_upper(piece.value, piece.middle);
+    search(piece.middle);
+    open.push(std::move(piece));
   }
   const auto met = [&] { return open.top().bound >= (1 - settings.relative_width) * ball.upper; };
   while (ball.simplices < settings.max_simplices && !met()) {

@@ -23,6 +23,7 @@
 #include <patchgrip/grasp/held_ball.h>
 #include <patchgrip/grasp/inertial_load.h>
 #include <patchgrip/grasp/internal_forces.h>
+#include <patchgrip/grasp/worst_load.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -236,13 +237,16 @@ void compare_worst_case(Case& c, AccuracyReport& report) {
   const auto loads = c.fields["loads"].filled();
   const auto each = c.result["values"].numbers(loads.size());
   const auto index = static_cast<std::size_t>(c.result["worst_index"].number());
-  double worst = 0, error = 0;
-  Grasp g(read_contacts(*c.contacts, Inputs::rounded));
+  double error = 0;
+  const auto contacts = read_contacts(*c.contacts, Inputs::rounded);
+  Grasp g(contacts);
+  grasp::LoadSet set;
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    const double value = g.least_grip(read_vector6(loads[i], Inputs::rounded)).value;
-    worst = std::max(worst, value);
+    set.corners.push_back(read_vector6(loads[i], Inputs::rounded));
+    const double value = g.least_grip(set.corners.back()).value;
     error = std::max(error, static_cast<double>(abs(value - each[i]) / each[i]));
   }
+  const double worst = worst_grip(contacts, set, grasp::GripMeasure::largest_force).answer.value;
   const double worst_error = static_cast<double>(abs(worst - reference) / reference);
   add(report, c, "value", {worst_error, worst_error});
   add(report, c, "value of each load", {error, error});

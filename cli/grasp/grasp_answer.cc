@@ -138,6 +138,31 @@ GraspLoadAnswer growing_answer(const GraspScene& scene, const Vector6& load) {
   return answer;
 }
 
+// The worst load, with the bracket of the whole set.
+GraspLoadAnswer worst_answer(const GraspScene& scene, int& simplices) {
+  const bool factor = scene.question == GraspQuestion::worst_load_factor;
+  grasp::LoadSet loads{scene.loads, scene.disturbance};
+  if (!factor) {
+    for (Vector6& w : loads.corners) w += scene.weight;
+  }
+  grasp::WorstLoadSettings settings = scene.worst;
+  settings.check_interrupt = [] { InterruptGuard::check(); };
+  const std::vector<double> limits = limits_of(scene);
+  GraspLoadAnswer answer;
+  for (const double share : shares_of(scene)) {
+    const std::vector<Contact> contacts = with_friction(scene.contacts, share);
+    const grasp::WorstLoad worst = factor ? worst_load_factor(contacts, scene.weight, loads, limits, settings)
+                                          : worst_grip(contacts, loads, scene.measure, settings);
+    if (share == 0) {
+      answer = {worst.load, worst.answer, worst.lower, worst.upper, worst.verdict};
+      simplices = worst.simplices;
+    } else {
+      widen(answer, worst.lower, worst.upper, worst.verdict);
+    }
+  }
+  return answer;
+}
+
 // One member of a family after the other; loads that turn start from the solution before.
 class Family {
  public:
@@ -249,6 +274,10 @@ GraspAnswer answer_grasp(const GraspScene& scene) {
     }
     return answer;
   }
+  if (asks_of_a_set(scene.question)) {
+    answer.loads.push_back(worst_answer(scene, answer.simplices));
+    return answer;
+  }
   if (scene.question == GraspQuestion::internal_forces) {
     answer.internal = internal_forces(contacts_of(scene.contacts));
     return answer;
@@ -278,6 +307,7 @@ std::string_view unit_of(GraspQuestion question) {
       return "N^2";
     case GraspQuestion::holds_within:
     case GraspQuestion::load_factor:
+    case GraspQuestion::worst_load_factor:
     case GraspQuestion::held_ball:
       return "1";
     default:

@@ -19,7 +19,7 @@ namespace patchgrip::cli {
 constexpr std::size_t most_grasp_loads_listed = 1000;  // in JSON
 
 struct GraspLoadAnswer {
-  grasp::Vector6 load;     // with the weight of the object; of load_factor, what is multiplied
+  grasp::Vector6 load;     // with the weight of the object; of the load factors, what is multiplied
   grasp::GripAnswer grip;  // of growing_grip, that of the upper bound
   double lower, upper;     // of the value
   grasp::Verdict verdict;
@@ -35,6 +35,7 @@ struct GraspAnswer {
   std::vector<GraspLoadAnswer> loads;
   std::optional<grasp::HeldBall> ball;
   std::optional<grasp::InternalForces> internal;
+  int simplices = 0;  // halved in search of the worst load
   std::vector<FamilyMember> family;
   std::vector<double> boundaries;  // of the family: where it stops holding, or starts to
   std::vector<std::string> warnings;

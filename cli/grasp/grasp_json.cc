@@ -52,7 +52,11 @@ ordered_json to_value(const GraspLoadAnswer& load, const GraspScene& scene) {
 // How the value changes with mu of the contact, where that follows from the answer.
 bool has_friction_slope(GraspQuestion question) {
   return question == GraspQuestion::least_grip || question == GraspQuestion::least_total_grip ||
-         question == GraspQuestion::load_factor;
+         question == GraspQuestion::load_factor || asks_of_a_set(question);
+}
+
+bool is_factor(GraspQuestion question) {
+  return question == GraspQuestion::load_factor || question == GraspQuestion::worst_load_factor;
 }
 
 // `pace` is what the twist is divided by.
@@ -80,7 +84,7 @@ ordered_json to_contact(const ContactAnswer& c, std::size_t number, const GraspS
     }
   }
   if (held && has_friction_slope(scene.question)) {
-    const double sign = scene.question == GraspQuestion::load_factor ? 1 : -1;
+    const double sign = is_factor(scene.question) ? 1 : -1;
     json["slope_of_value_with_mu"] = sign * c.normal_force * c.dissipation;
   }
   return json;
@@ -172,6 +176,10 @@ std::string to_json(const GraspAnswer& answer, const GraspScene& scene, std::str
   }
   if (answer.ball) json["ball"] = to_ball(*answer.ball, scene);
   if (answer.internal) json["internal_forces"] = to_internal(*answer.internal);
+  if (asks_of_a_set(scene.question)) {
+    json["set"] = {
+        {"corners", scene.loads.size()}, {"axes", scene.disturbance.size()}, {"simplices", answer.simplices}};
+  }
   if (scene.family) json["family"] = to_family(answer, scene);
   if (!answer.loads.empty()) {
     const std::size_t listed = std::min(answer.loads.size(), most_grasp_loads_listed);

@@ -102,6 +102,48 @@ void read_loads(const TomlReader& scene, GraspScene& result) {
   }
 }
 
+// A ball of forces acting at a point, with a ball of moments; or any semi-axes.
+void read_disturbance(const TomlReader& scene, GraspScene& result) {
+  if (!scene.has("disturbance")) return;
+  const TomlReader table = scene.table("disturbance", {"force", "at", "moment", "axes"});
+  if (!asks_of_a_set(result.question)) {
+    scene.refuse("disturbance", "used with 'worst_grip' and 'worst_load_factor', not with another question");
+  }
+  if (table.has("axes")) {
+    table.refuse_others({"axes"}, "'axes' say all of an ellipsoid");
+    constexpr std::string_view allowed = "1 to 6 semi-axes [fx, fy, fz, mx, my, mz] in N and N m";
+    const toml::array& axes = table.array(table.node("axes"), "axes", allowed);
+    if (axes.empty() || axes.size() > 6) table.refuse("axes", allowed);
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      const std::string name = fmt::format("axes[{}]", k);
+      const toml::array& axis = table.array(axes[k], name, allowed);
+      if (axis.size() != 6) table.refuse(axes[k], name, allowed);
+      Vector6 w;
+      for (std::size_t i = 0; i < 6; ++i) {
+        w[static_cast<Eigen::Index>(i)] =
+            table.number(axis[i], fmt::format("{}[{}]", name, i), any_sign("a component in N or N m"));
+      }
+      result.disturbance.push_back(w);
+    }
+    return;
+  }
+  if (!table.has("force") && !table.has("moment")) table.refuse_table("needs 'force', 'moment' or 'axes'");
+  if (table.has("at") && !table.has("force")) table.refuse("at", "where the force acts: it needs 'force'");
+  const Vector3 at = vector_or(table, "at", "where the force acts, [x, y, z] in m", Vector3::Zero());
+  const Vector3 none = Vector3::Zero();
+  if (table.has("force")) {
+    const double force = table.number("force", positive("the size of a force in N"));
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 f = force * Vector3::Unit(k);
+      result.disturbance.push_back(grasp::spatial(f, at.cross(f)));
+    }
+  }
+  if (table.has("moment")) {
+    const double moment = table.number("moment", positive("the size of a moment in N m"));
+    for (int k = 0; k < 3; ++k) result.disturbance.push_back(grasp::spatial(none, moment * Vector3::Unit(k)));
+  }
+}
+
 // Root of the mean square of the contacts' distance from their centroid; of a single one its moment length.
 double size_of(const std::vector<GraspContact>& contacts) {
   Vector3 centroid = Vector3::Zero();
@@ -128,11 +170,11 @@ void read_question(const TomlReader& scene, std::string_view overruling, GraspSc
     if (table.has("measure")) result.measure = static_cast<grasp::GripMeasure>(table.choice("measure", measures));
     if (table.has("relative_width")) {
       constexpr Quantity width{"the width of the bracket", 1e-6, 0.999999};
-      result.ball.relative_width = table.number("relative_width", width);
+      result.ball.relative_width = result.worst.relative_width = table.number("relative_width", width);
     }
     if (table.has("max_simplices")) {
       constexpr Quantity count{"a number of simplices", 0, 1e7};
-      result.ball.max_simplices = static_cast<int>(table.number("max_simplices", count));
+      result.ball.max_simplices = result.worst.max_simplices = static_cast<int>(table.number("max_simplices", count));
     }
     result.ball.planar = table.flag("planar");
   }
@@ -192,7 +234,9 @@ void read_view(const TomlReader& scene, GraspScene& result) {
 // What the question needs.
 void check_question(const TomlReader& scene, const GraspScene& result) {
   const std::string_view name = grasp_questions[static_cast<std::size_t>(result.question)];
-  const bool limited = result.question == GraspQuestion::holds_within || result.question == GraspQuestion::load_factor;
+  const bool limited = result.question == GraspQuestion::holds_within ||
+                       result.question == GraspQuestion::load_factor ||
+                       result.question == GraspQuestion::worst_load_factor;
   for (const GraspContact& c : result.contacts) {
     if (limited && !c.limit) c.place.refuse(fmt::format("needs a 'limit' of its force, in N, for '{}'", name));
   }
@@ -204,11 +248,19 @@ void check_question(const TomlReader& scene, const GraspScene& result) {
     scene.refuse("contacts", fmt::format("'internal_forces' is asked of at most {} contacts", most_internal_contacts));
   }
   const bool loaded = !result.weight.isZero(0) || scene.has("loads");
-  if (!asks_of_no_load(result.question) && !loaded) {
+  if (asks_of_a_set(result.question)) {
+    if (!loaded && result.disturbance.empty()) {
+      scene.refuse("loads",
+                   fmt::format("'{}' needs loads: [[loads]], a [disturbance], or an [object] with a 'mass'", name));
+    }
+  } else if (!asks_of_no_load(result.question) && !loaded) {
     scene.refuse("loads", fmt::format("'{}' needs a load: [[loads]], or an [object] with a 'mass'", name));
   }
   if (result.question == GraspQuestion::load_factor && !scene.has("loads")) {
     scene.refuse("loads", "'load_factor' needs the loads to multiply, under [[loads]]");
+  }
+  if (result.question == GraspQuestion::worst_load_factor && !scene.has("loads") && result.disturbance.empty()) {
+    scene.refuse("loads", "'worst_load_factor' needs the loads to multiply: [[loads]] or a [disturbance]");
   }
 }
 
@@ -228,6 +280,7 @@ GraspScene read_grasp_scene(TomlDocument document, const MaterialLibrary& materi
   result.weight = read_weight(scene);
   read_loads(scene, result);
   read_question(scene, question, result);
+  read_disturbance(scene, result);
   read_family(scene, result);
   read_view(scene, result);
   check_question(scene, result);

@@ -15,6 +15,7 @@
 #include <patchgrip/cli/scene/toml_document.h>
 #include <patchgrip/grasp/held_ball.h>
 #include <patchgrip/grasp/spatial.h>
+#include <patchgrip/grasp/worst_load.h>
 
 namespace patchgrip::cli {
 
@@ -25,6 +26,8 @@ enum class GraspQuestion {
   holds_within,
   load_factor,
   distance,
+  worst_grip,
+  worst_load_factor,
   growing_grip,
   force_closure,
   form_closure,
@@ -32,9 +35,10 @@ enum class GraspQuestion {
   internal_forces
 };
 
-inline constexpr std::array<std::string_view, 11> grasp_questions{
-    "least_grip",   "least_total_grip", "least_quadratic_grip", "holds_within", "load_factor",    "distance",
-    "growing_grip", "force_closure",    "form_closure",         "held_ball",    "internal_forces"};
+inline constexpr std::array<std::string_view, 13> grasp_questions{
+    "least_grip",   "least_total_grip", "least_quadratic_grip", "holds_within", "load_factor",
+    "distance",     "worst_grip",       "worst_load_factor",    "growing_grip", "force_closure",
+    "form_closure", "held_ball",        "internal_forces"};
 
 constexpr std::size_t most_internal_contacts = 200;  // the basis grows with their square
 
@@ -43,6 +47,11 @@ constexpr bool asks_of_no_load(GraspQuestion question) { return question >= Gras
 
 constexpr bool asks_of_closure(GraspQuestion question) {
   return question == GraspQuestion::force_closure || question == GraspQuestion::form_closure;
+}
+
+// Of all loads of a set at once.
+constexpr bool asks_of_a_set(GraspQuestion question) {
+  return question == GraspQuestion::worst_grip || question == GraspQuestion::worst_load_factor;
 }
 
 // Grasps or loads that differ in one number: least grip and verdict of each.
@@ -66,6 +75,8 @@ struct GraspScene {
   double epsilon = 1;  // of least_quadratic_grip
   grasp::GripMeasure measure = grasp::GripMeasure::largest_force;
   grasp::BallSettings ball;
+  std::vector<grasp::Vector6> disturbance;  // semi-axes of the ellipsoid of loads about each of `loads`
+  grasp::WorstLoadSettings worst;
   std::optional<GraspFamily> family;
   double azimuth = -1, elevation = 0.4;  // of the viewer of the picture [rad]
   Place place;                           // the contacts

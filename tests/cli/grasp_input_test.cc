@@ -27,6 +27,8 @@ TEST_P(BadGrasp, IsRefusedWithLineAndReason) {
 std::string contact(const std::string& from, const std::string& to) { return with(good_grasp, from, to); }
 std::string more(const std::string& text) { return good_grasp + text; }
 
+const std::string worst = "[question]\nask = \"worst_grip\"\n";
+
 INSTANTIATE_TEST_SUITE_P(
     Scenes, BadGrasp,
     ::testing::Values(
@@ -65,6 +67,21 @@ INSTANTIATE_TEST_SUITE_P(
                  "not used with another question"},
         BadScene{"an axis without a turn", more("[family]\nmu = [0.1]\naxis = [1, 0, 0]\n"), 21,
                  "used with 'turn' and 'offset'"},
+        BadScene{"a disturbance of another question", more("[disturbance]\nforce = 1\n"), 19,
+                 "disturbance: used with 'worst_grip' and 'worst_load_factor'"},
+        BadScene{"a disturbance of none", more(worst + "[disturbance]\n"), 21, "needs 'force', 'moment' or 'axes'"},
+        BadScene{"a disturbance of size 0", more(worst + "[disturbance]\nforce = 0\n"), 22, "disturbance.force = 0"},
+        BadScene{"a disturbance somewhere", more(worst + "[disturbance]\nmoment = 1\nat = [0, 0, 0]\n"), 23,
+                 "it needs 'force'"},
+        BadScene{"axes and a force", more(worst + "[disturbance]\naxes = [[0, 0, 1, 0, 0, 0]]\nforce = 1\n"), 23,
+                 "'axes' say all of an ellipsoid"},
+        BadScene{"no axes", more(worst + "[disturbance]\naxes = []\n"), 22, "1 to 6 semi-axes"},
+        BadScene{"an axis of three numbers", more(worst + "[disturbance]\naxes = [[0, 0, 1]]\n"), 22,
+                 "1 to 6 semi-axes"},
+        BadScene{"a worst factor without limits", more("[question]\nask = \"worst_load_factor\"\n"), 5,
+                 "needs a 'limit'"},
+        BadScene{"a worst load of none", good_grasp.substr(good_grasp.find("[[contacts]]")) + worst, 1,
+                 "'worst_grip' needs loads"},
         BadScene{"gravity without mass", more("[object]\ngravity = [0, 0, -9.81]\n"), 20, "used with 'mass'"},
         BadScene{"mass 0", more("[object]\nmass = 0\n"), 20, "object.mass = 0"},
         BadScene{"a turn without inertia", more("[object]\nmass = 1\n[carried]\nturn_rate = [0, 0, 1]\n"), 19,

@@ -179,6 +179,53 @@ TEST(Grasp, WhatAContactSlidesWithBelongsToTheEscape) {
               1e-12 * a.grip.escape_twist.norm());
 }
 
+// Each of the committed scene's loads, weight included, asks for no more than the worst of them.
+TEST(Grasp, TheWorstLoadBoundsThoseOfItsSet) {
+  const GraspScene scene = committed_grasp("shaken_cube");
+  const GraspLoadAnswer worst = first_of(scene);
+  ASSERT_EQ(worst.verdict, Verdict::holds);
+  EXPECT_LE(worst.upper - worst.lower, scene.worst.relative_width * worst.upper);
+  grasp::Grasp grasp(contacts_of(scene.contacts));
+  EXPECT_NEAR(grasp.least_grip(worst.load).value, worst.grip.value, 1e-12 * worst.upper);
+  for (const grasp::Vector6& load : scene.loads) {
+    for (const grasp::Vector6& axis : scene.disturbance) {
+      for (const double side : {-1, 1}) {
+        EXPECT_LE(grasp.least_grip(scene.weight + load + side * axis).lower, worst.upper);
+      }
+    }
+  }
+  const auto json = nlohmann::json::parse(to_json(answer_grasp(scene), scene, "scene.toml"));
+  EXPECT_EQ(json["set"]["axes"], scene.disturbance.size());
+  const auto& result = json["answers"][0]["results"]["worst_grip"];
+  EXPECT_NEAR(result["value"].get<double>() + result["error"].get<double>(), worst.upper, 1e-12 * worst.upper);
+}
+
+// Up to 3 N in any direction at a point are three axes there; up to 3 N m are three more.
+TEST(Grasp, ADisturbanceActsWhereItIsSaidTo) {
+  const GraspScene scene =
+      grasp_scene(good_grasp + "[disturbance]\nforce = 3\nat = [0, 0, 0.1]\nmoment = 0.2\n", "worst_grip");
+  ASSERT_EQ(scene.disturbance.size(), 6U);
+  const grasp::Vector6 along_x = grasp::spatial({3, 0, 0}, {0, 0.3, 0}), about_z = 0.2 * grasp::Vector6::Unit(5);
+  EXPECT_LE((scene.disturbance[0] - along_x).norm(), 1e-16);
+  EXPECT_EQ(scene.disturbance[5], about_z);
+  const GraspScene axes = grasp_scene(good_grasp + "[disturbance]\naxes = [[3, 0, 0, 0, 0.3, 0]]\n", "worst_grip");
+  ASSERT_EQ(axes.disturbance.size(), 1U);
+  EXPECT_LE((axes.disturbance[0] - along_x).norm(), 1e-16);
+}
+
+// All loads times the factor, beside the weight, ask for no more than the limits; the worst one for just that.
+TEST(Grasp, TheWorstFactorIsThatOfTheWorstLoad) {
+  const std::string limited = with(with(good_grasp, "mu = 0.5\n[[contacts]]", "mu = 0.5\nlimit = 20\n[[contacts]]"),
+                                   "moment_length = 0.003\n", "moment_length = 0.003\nlimit = 20\n");
+  const GraspScene scene =
+      grasp_scene(limited + "[object]\nmass = 0.1\n[disturbance]\nforce = 1\n", "worst_load_factor");
+  const GraspLoadAnswer worst = first_of(scene);
+  ASSERT_EQ(worst.verdict, Verdict::holds);
+  EXPECT_LE(worst.upper - worst.lower, 0.01 * worst.upper);
+  grasp::Grasp grasp(contacts_of(scene.contacts));
+  EXPECT_NEAR(grasp.least_grip(scene.weight + worst.upper * worst.load).value, 20, 1e-9);
+}
+
 TEST(Grasp, ALoadThatIsHeldIsAtNoDistance) {
   EXPECT_EQ(first_of(grasp_scene(good_grasp, "distance")).verdict, Verdict::holds);
 }

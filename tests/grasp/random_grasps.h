@@ -103,6 +103,9 @@ class GraspDraws {
 
   explicit GraspDraws(unsigned seed) : engine_(seed) {}
 
+  // In place of drawn ones where they are not 0: how near the boundary (or the cone that is not closed), and wide_mu.
+  double fixed_delta = 0, fixed_mu = 0;
+
   DrawnGrasp draw(Class kind);
   DrawnContact contact();
   Vector3 vector() { return {normal(), normal(), normal()}; }
@@ -147,7 +150,7 @@ inline DrawnGrasp GraspDraws::held(Class kind, int count) {
   DrawnGrasp g;
   for (int i = 0; i < count; ++i) {
     DrawnContact c = contact();
-    if (kind == Class::wide_mu && c.mu > 0) c.mu = log_uniform(1e-6, 10);
+    if (kind == Class::wide_mu && c.mu > 0) c.mu = fixed_mu > 0 ? fixed_mu : log_uniform(1e-6, 10);
     if (kind == Class::duplicates && i > 0 && chance(0.5)) {
       c = g.contacts[static_cast<std::size_t>(uniform(0, 1) * i)];
     }
@@ -165,7 +168,7 @@ inline DrawnGrasp GraspDraws::near_boundary(Class kind, int count) {
   DrawnGrasp g;
   const Vector3 omega = vector(), v = 0.05 * vector();
   const Vector6 W = spatial(v, omega);
-  g.delta = kind == Class::outside ? 1 : std::pow(10., -uniform(3, 10));
+  g.delta = kind == Class::outside ? 1 : fixed_delta > 0 ? fixed_delta : std::pow(10., -uniform(3, 10));
   bool active = false;
   for (int i = 0; i < count; ++i) {
     DrawnContact c = contact();
@@ -257,7 +260,7 @@ inline DrawnGrasp GraspDraws::not_closed() {
   DrawnGrasp g;
   const Matrix3 Q = Eigen::Quaterniond(normal(), normal(), normal(), normal()).normalized().toRotationMatrix();
   const Vector3 shift = 0.02 * vector();
-  g.delta = std::pow(10., -uniform(1, 6));
+  g.delta = fixed_delta > 0 ? fixed_delta : std::pow(10., -uniform(1, 6));
   DrawnContact a = contact();
   a.model = DrawnContact::Model::point;
   a.mu = 0.5;
