@@ -83,7 +83,7 @@ Stop return_mapping(const P& disc, double k, Method method, double h) {
 template <class P>
 auto elastoplastic_motion(const P& disc, double k) {
   using Surface = RoundLimitSurface<P>;
-  return BristleMotion<Surface>(
+  return BristleMotion(
       PatchBristle<Surface>(Surface(disc), {{k, k, k * R * R / 2}, {0, 0, 0}, R}, Law::coulomb(mu), F_N), 1, J);
 }
 

@@ -1,4 +1,5 @@
-// A body on a patch of elastoplastic bristles (patch_bristle.h) under a load: an ordinary differential equation.
+// A body on a patch that is held by bristles, elastoplastic ones (patch_bristle.h) or half a degree of freedom
+// (half_freedom_patch.h), under a load: an ordinary differential equation.
 //
 //     M v' = f(t) + A t,      dkappa/dt and t of the bristles in axes that turn with the zone, by A: phi - kappa_3
 //
@@ -6,8 +7,9 @@
 //          bristles and dampers have lost, so that  kinetic + kappa . K kappa / 2 = work - loss + what was at first.
 // Patch    under the centre of mass.
 // Units    m [kg], J [kg m^2], f [N], [N], [N m]; energies [J].
-// Fails    stiff: explicit steps of some 1 / 150 of those of steady sliding in the window of beta. The printed form may
-//          gain energy: its loss is then negative.
+// Fails    stiff: explicit steps of elastoplastic bristles are some 1 / 150 of those of steady sliding in the window of
+//          beta, of half a degree of freedom 2.8 D / K at most. The printed form may gain energy: its loss is then
+//          negative.
 // Throws   std::invalid_argument unless m, J > 0. Nothing afterwards.
 #pragma once
 
@@ -20,18 +22,19 @@
 
 namespace patchgrip::dynamics {
 
-template <class Surface>
+// `Bristle` is PatchBristle or HalfFreedomPatch.
+template <class Bristle>
 class BristleMotion {
  public:
   using Flow = Trajectory<11>;
   using State = Flow::State;
 
-  BristleMotion(PatchBristle<Surface> bristle, double mass, double inertia)
+  BristleMotion(Bristle bristle, double mass, double inertia)
       : bristle_(std::move(bristle)),
         mass_(contact::require_positive("mass", mass)),
         inertia_(contact::require_positive("inertia", inertia)) {}
 
-  const PatchBristle<Surface>& bristle() const noexcept { return bristle_; }
+  const Bristle& bristle() const noexcept { return bristle_; }
 
   double kinetic_energy(const State& y) const {
     return (mass_ * (y[3] * y[3] + y[4] * y[4]) + inertia_ * y[5] * y[5]) / 2;
@@ -43,6 +46,9 @@ class BristleMotion {
 
   // On the body, in axes of space.
   Vector3 wrench(const State& y) const { return now(y).wrench; }
+
+  // [N]: the zone slips, or may, where positive.
+  double excess(const State& y) const { return bristle_.excess({y[6], y[7], y[8]}, twist_of(y)); }
 
   // dy/dt
   State operator()(const Vector3& load, const State& y) const {
@@ -67,13 +73,19 @@ class BristleMotion {
     Vector3 wrench, rate;
   };
 
+  // In axes of the zone.
+  static Vector3 twist_of(const State& y) {
+    const double c = std::cos(y[2] - y[8]), s = std::sin(y[2] - y[8]);
+    return {c * y[3] + s * y[4], c * y[4] - s * y[3], y[5]};
+  }
+
   Now now(const State& y) const {
     const double c = std::cos(y[2] - y[8]), s = std::sin(y[2] - y[8]);
-    const BristleRates b = bristle_({y[6], y[7], y[8]}, {c * y[3] + s * y[4], c * y[4] - s * y[3], y[5]});
+    const BristleRates b = bristle_({y[6], y[7], y[8]}, twist_of(y));
     return {{c * b.wrench[0] - s * b.wrench[1], s * b.wrench[0] + c * b.wrench[1], b.wrench[2]}, b.rate};
   }
 
-  PatchBristle<Surface> bristle_;
+  Bristle bristle_;
   double mass_, inertia_;
 };
 

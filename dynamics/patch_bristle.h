@@ -80,6 +80,12 @@ class PatchBristle {
 
   const PatchBristleParameters& parameters() const noexcept { return parameters_; }
 
+  // g(K kappa) beyond `elastic_share` of the limit at the present speed [N]: it may slip where positive.
+  double excess(const Vector3& kappa, const Vector3& v) const {
+    const double limit = friction::coefficient(law_, surface_.patch().moments(), zone_twist(kappa, v)) * normal_force_;
+    return surface_.gauge(spring_wrench(parameters_, kappa)).value - parameters_.elastic_share * limit;
+  }
+
   BristleRates operator()(const Vector3& kappa, const Vector3& v) const {
     const auto& patch = surface_.patch();
     const friction::Twist u = zone_twist(kappa, v);

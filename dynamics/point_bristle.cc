@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <patchgrip/contact/require.h>
 
@@ -59,6 +62,27 @@ double half_freedom_rate(const PointBristle& bristle, const Law& law, double nor
   const double nu = half_freedom_gain(bristle, law, normal_force, v);
   const double friction = stribeck_force(law, normal_force, v) + viscous_force(law, normal_force, v);
   return -v * (1 - alpha * (1 - nu * (1 - load_share(bristle, friction, kappa))));
+}
+
+double half_freedom_exact_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
+                               double v) noexcept {
+  const double pull = bristle.c1 * v - bristle.c0 * kappa, size = std::fabs(pull);
+  const double held = law.mu_static * normal_force;
+  if (!(size > held)) return -v;
+  const auto excess = [&](double u) {
+    const double dry = u > 0 ? -stribeck_force(law, normal_force, u) : held;  // at u = 0 from above
+    return bristle.c1 * u + dry - viscous_force(law, normal_force, u) - size;
+  };
+  const double most = size / bristle.c1, at_most = excess(most);
+  if (!(at_most > 0)) return std::copysign(most, pull) - v;
+  std::uintmax_t steps = 100;
+  const auto [lo, hi] = boost::math::tools::toms748_solve(excess, 0., most, held - size, at_most,
+                                                          boost::math::tools::eps_tolerance<double>(52), steps);
+  return std::copysign((lo + hi) / 2, pull) - v;
+}
+
+double boundary_layer_force(const BoundaryLayer& zone, const Law& law, double normal_force, double u) noexcept {
+  return tanh_force(law, normal_force, zone.steepness, u) + viscous_force(law, normal_force, u);
 }
 
 double switch_ramp(double x) noexcept { return std::clamp((x - 1) / 0.01, 0., 1.); }

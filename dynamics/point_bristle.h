@@ -5,19 +5,24 @@
 //     Dahl, LuGre         dkappa/dt = -v (1 - c_0 kappa / S(v))                      Dahl: c_1 = 0
 //     elastoplastic       dkappa/dt = -v (1 - beta c_0 kappa / S(v))                 Dupont et al.      (4.37b)
 //     with nu_0           dkappa/dt = -(1 - beta [1 - nu_0]) v + beta nu_0 v c_0 kappa / S(v)           (4.38b)
-//     half degree of      dkappa/dt = -v (1 - alpha [1 - nu (1 - c_0 kappa / (S + V))])
-//     freedom, linear     nu = [mu(v) + mu_V |v|] F_N / (c_1 |v| - |v| d(S + V)/dv)                     (4.36b)
+//     half degree of      dkappa/dt = u - v,  c_1 u - S(u) - V(u) = c_1 v - c_0 kappa where its size is more
+//     freedom, exact      than mu_s F_N, else u = 0: the zone's own velocity                              (4.34)
+//     linearised          dkappa/dt = -v (1 - alpha [1 - nu (1 - c_0 kappa / (S + V))])
+//                         nu = [mu(v) + mu_V |v|] F_N / (c_1 |v| - |v| d(S + V)/dv)                     (4.36b)
 //
 //     beta   0 where the bristle relaxes (kappa v >= 0) or |kappa| <= kappa_1, 1 beyond kappa_2 = |S(v)| / c_0, and
 //            (|kappa| - kappa_1)^2 (3 kappa_2 - kappa_1 - 2 |kappa|) / (kappa_2 - kappa_1)^3 between
 //     alpha  a_v + a_F - a_v a_F, a_v = ramp(|v + dkappa/dt| / dv), a_F = ramp(|c_0 kappa + c_1 dkappa/dt| / mu_s F_N),
 //            ramp(x) from 0 at x = 1 to 1 at 1.01                                                       (4.35)
 //
+// Boundary layer: the zone has a mass e,  e (dv/dt + d^2kappa/dt^2) = tanh(a |u|) S(u) + V(u) - c_0 kappa - c_1 dkappa/dt
+// with u = v + dkappa/dt (4.33, its friction smoothed as the seed does); e -> 0 is half a degree of freedom.
+//
 // The seed's beta asks for sgn kappa = sgn v; with its dkappa/dt = -v (...) a bristle that is being stretched has the
 // other sign. As printed example 4.7 never slides. Its nu has the bracket of mu(v) in the wrong place.
 //
 // Domain   any state. nu is singular, and negative below, where c_1 + mu_V F_N = 0.857764 (mu_s - mu_k) F_N / v_S at
-//          some v: there the half degree of freedom has no one solution. A bristle dissipates if r = c_1 |v| / |S| is
+//          some v: there the half degree of freedom has no one solution; below, one of several is found. A bristle dissipates if r = c_1 |v| / |S| is
 //          at most rho^2 / (rho - 1), rho = mu_s / mu_k < 2, or 4 beyond; with nu_0 if nu_0 <= 1 / (1 - kappa_1 /
 //          kappa_2). Dahl and LuGre creep under a load that oscillates below the limit; elastoplastic does not.
 // Units    c_0 [N/m], c_1 [N s/m]; kappa [m]; v [m/s]; R [N].
@@ -52,6 +57,18 @@ double extended_rate(const PointBristle& bristle, const Law& law, double normal_
 double half_freedom_gain(const PointBristle& bristle, const Law& law, double normal_force, double v) noexcept;
 double half_freedom_rate(const PointBristle& bristle, const Law& law, double normal_force, double alpha, double kappa,
                          double v) noexcept;
+
+// By the root, instead of nu; c_1 > 0.
+double half_freedom_exact_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
+                               double v) noexcept;
+
+struct BoundaryLayer {
+  double mass;       // e [kg], > 0
+  double steepness;  // a [s/m], > 0
+};
+
+// Friction on the zone at its own velocity u [N].
+double boundary_layer_force(const BoundaryLayer& zone, const Law& law, double normal_force, double u) noexcept;
 
 // ramp(x): 0 up to 1, 1 from 1.01.
 double switch_ramp(double x) noexcept;

@@ -1,10 +1,11 @@
-"""Keppler 2006, figure 4.31: place, speed and friction of the body of figure 4.30 over time, by three laws."""
+"""Keppler 2006, figure 4.31: place, speed and friction of the body of figure 4.30 over time, by four laws."""
 
 import style
-from style import BLACK, BLUE, GREY, ORANGE, plt
+from style import BLACK, BLUE, GREEN, GREY, ORANGE, plt
 from table import Table
 
-LAWS = (("elastoplastic", BLACK, "-"), ("return mapping", BLUE, "--"), ("rigid", ORANGE, "-."))
+LAWS = (("elastoplastic", BLACK, "-"), ("return mapping", BLUE, "--"),
+        ("half freedom", GREEN, ":"), ("rigid", ORANGE, "-."))
 PANELS = (("x_m", "$x$ [m]"), ("turn_rad", r"$\varphi$ [rad]"), ("vx_m_per_s", r"$\dot x$ [m/s]"),
           ("w_rad_per_s", r"$\dot\varphi$ [rad/s]"), ("force_x_N", "$t_{R,x}$ [N]"), ("moment_Nm", "$t_{R,z}$ [N m]"))
 
@@ -19,7 +20,7 @@ def main():
             panel.plot(table["t_s"], table[name], color=colour, linestyle=dashes, label=law, linewidth=1.2)
         panel.set_ylabel(label)
         panel.set_xlim(0, 60)
-    axes[0, 0].legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4).set_in_layout(False)
+    axes[0, 0].legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=5, columnspacing=1.2).set_in_layout(False)
     figure.get_layout_engine().set(rect=(0, 0, 1, 0.95))
     for panel in axes[-1]:
         panel.set_xlabel("$t$ [s]")

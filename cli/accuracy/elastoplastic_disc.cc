@@ -25,7 +25,7 @@ namespace {
 using dynamics::Vector3;
 using friction::HertzDisc;
 using Surface = friction::RoundLimitSurface<HertzDisc>;
-using Motion = dynamics::BristleMotion<Surface>;
+using Motion = dynamics::BristleMotion<dynamics::PatchBristle<Surface>>;
 
 constexpr std::string_view section = "misc.disc_example_fig_4_30";
 

@@ -11,6 +11,7 @@
 #include <patchgrip/cli/simulate/run_in_steps.h>
 #include <patchgrip/dynamics/bristle_body.h>
 #include <patchgrip/dynamics/bristle_motion.h>
+#include <patchgrip/dynamics/half_freedom_patch.h>
 #include <patchgrip/dynamics/rigid_motion.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
 
@@ -249,39 +250,24 @@ void simulate_return_mapping(Setting& s, MotionRecord& record) {
       s.scene.contact.patch);
 }
 
-// --- elastoplastic
+// --- elastoplastic, half a degree of freedom
 
-template <class Surface>
-void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& record) {
-  using Motion = dynamics::BristleMotion<Surface>;
+template <class Bristle>
+void follow_bristle_law(Setting& s, const Bristle& bristle, MotionRecord& record) {
+  using Motion = dynamics::BristleMotion<Bristle>;
   const SimulateScene& scene = s.scene;
   const Following& f = scene.following;
-  const BristleSettings& b = f.bristle;
-  const friction::PressureMoments m = s.patch.moments();
-  dynamics::PatchBristleParameters p{{b.stiffness, b.stiffness, b.turn_stiffness},
-                                     {b.damping, b.damping, b.turn_damping},
-                                     b.length.value_or(s.patch.dissipation(friction::twist_about({m.x, m.y}, 1)))};
-  if (f.method == FrictionMethod::elastoplastic_printed) p.form = dynamics::BristleForm::printed;
-  p.elastic_share = b.elastic_share;
-  p.nu0.setConstant(b.nu0);
-  const Motion motion(dynamics::PatchBristle<Surface>(surface, p, scene.law, scene.contact.normal_force),
-                      scene.body.mass, scene.body.inertia);
+  const Motion motion(bristle, scene.body.mass, scene.body.inertia);
   typename Motion::State y{};
   for (std::size_t i = 0; i < 3; ++i) {
     y[i] = scene.body.place[static_cast<Eigen::Index>(i)];
     y[i + 3] = scene.body.twist[static_cast<Eigen::Index>(i)];
   }
   if (scene.body.settled) {
-    const Vector3 kappa = turned(s.load(0), -y[2]).cwiseQuotient(p.stiffness);
+    const Vector3 kappa = turned(s.load(0), -y[2]).cwiseQuotient(bristle.parameters().stiffness);
     for (std::size_t i = 0; i < 3; ++i) y[i + 6] = kappa[static_cast<Eigen::Index>(i)];
   }
   const auto place = [](const auto& x) { return Vector3(x[0], x[1], x[2]); };
-  // Of the springs' wrench beyond the elastic share of the limit at the present speed.
-  const auto beyond = [&](const auto& x) {
-    const Vector3 v = turned({x[3], x[4], x[5]}, x[8] - x[2]), kappa(x[6], x[7], x[8]);
-    const double limit = coefficient(scene.law, m, dynamics::zone_twist(kappa, v)) * scene.contact.normal_force;
-    return surface.gauge(dynamics::spring_wrench(p, kappa)).value - p.elastic_share * limit;
-  };
   const auto speed = [&](const auto& x) { return std::hypot(x[3], x[4], s.patch.area_radius() * x[5]); };
   const double tolerance = std::min(1e-3, s.second ? 100 * f.tolerance : f.tolerance);
   const double longest = scene.loads.longest_step();
@@ -294,12 +280,12 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
     const double last = std::nextafter(end, t);
     typename Motion::Flow flow([&](double at, const auto& x, auto& dx) { dx = motion(s.load(std::min(at, last)), x); },
                                y, t, {tolerance, 1e-6});
-    flow.watch([&](double, const auto& x) { return beyond(x); });
+    flow.watch([&](double, const auto& x) { return motion.excess(x); });
     if (f.rest_speed) flow.watch([&](double, const auto& x) { return speed(x) - *f.rest_speed; });
     const auto note = [&](double at, const auto& x, std::size_t which) {
       MotionEvent e{"rest_speed", at, 0, place(x)};
       if (which == 0) {
-        e.kind = beyond(x) >= 0 ? "break_away" : "sticks";
+        e.kind = motion.excess(x) >= 0 ? "break_away" : "sticks";
         e.margin = s.margin(at, x[2]);
         if (e.kind == "break_away" && speed(x) > 0) e.slip = Twist{x[3], x[4], x[5]};
       }
@@ -312,7 +298,7 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
       MotionRow row{flow.time(), place(x), {x[3], x[4], x[5]}};
       row.deflection = turned({x[6], x[7], x[8]}, x[2] - x[8]);
       row.friction = motion.wrench(x);
-      row.slips = beyond(x) >= 0;
+      row.slips = motion.excess(x) >= 0;
       row.kinetic = motion.kinetic_energy(x);
       row.stored = motion.stored_energy(x);
       row.work = x[9];
@@ -324,6 +310,40 @@ void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& reco
     y = flow.state();
     t = end;
   }
+}
+
+template <class Surface>
+void follow_elastoplastic(Setting& s, const Surface& surface, MotionRecord& record) {
+  const Following& f = s.scene.following;
+  const BristleSettings& b = f.bristle;
+  const friction::PressureMoments m = s.patch.moments();
+  dynamics::PatchBristleParameters p{{b.stiffness, b.stiffness, b.turn_stiffness},
+                                     {b.damping, b.damping, b.turn_damping},
+                                     b.length.value_or(s.patch.dissipation(friction::twist_about({m.x, m.y}, 1)))};
+  if (f.method == FrictionMethod::elastoplastic_printed) p.form = dynamics::BristleForm::printed;
+  p.elastic_share = b.elastic_share;
+  p.nu0.setConstant(b.nu0);
+  follow_bristle_law(s, dynamics::PatchBristle<Surface>(surface, p, s.scene.law, s.scene.contact.normal_force), record);
+}
+
+void simulate_half_freedom(Setting& s, MotionRecord& record) {
+  const BristleSettings& b = s.scene.following.bristle;
+  const dynamics::HalfFreedomParameters p{{b.stiffness, b.stiffness, b.turn_stiffness},
+                                          {b.damping, b.damping, b.turn_damping}};
+  std::visit(
+      [&](const auto& patch) {
+        using P = std::decay_t<decltype(patch)>;
+        const friction::PlanarFrame& frame = s.scene.contact.frame;
+        const auto follow = [&](const auto& at_origin) {
+          follow_bristle_law(s, dynamics::HalfFreedomPatch(at_origin, p, s.scene.law, s.scene.contact.normal_force),
+                             record);
+        };
+        if constexpr (std::same_as<P, friction::HertzDisc> || std::same_as<P, friction::UniformDisc>) {
+          if (frame.x == 0 && frame.y == 0) return follow(patch);
+        }
+        follow(s.patch);
+      },
+      s.scene.contact.patch);
 }
 
 void simulate_elastoplastic(Setting& s, MotionRecord& record) {
@@ -350,6 +370,9 @@ void simulate_patch(const SimulateScene& scene, bool second, MotionRecord& recor
     case FrictionMethod::elastoplastic:
     case FrictionMethod::elastoplastic_printed:
       simulate_elastoplastic(s, record);
+      break;
+    case FrictionMethod::half_freedom:
+      simulate_half_freedom(s, record);
       break;
     default:
       simulate_rigid(s, record);

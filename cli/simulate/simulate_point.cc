@@ -101,13 +101,14 @@ void simulate_rigid_point(PointSetting& s, MotionRecord& record) {
   std::ranges::for_each(result.events, note);
 }
 
-// x, v, kappa, work of load and support, loss.
-using Flow = dynamics::Trajectory<5>;
+// x, v, kappa, dkappa/dt of a zone with a mass, work of load and support, loss.
+using Flow = dynamics::Trajectory<6>;
 
 struct Friction {
   double force;       // R [N]
   double kappa_rate;  // [m/s]
   double present;     // of the present limit, >= 0: slips from `yielding` on
+  double zone = 0;    // on a zone with a mass [N]
 };
 
 // Of the laws with a state, and of those that smooth the jump; u is the velocity relative to the support.
@@ -116,16 +117,21 @@ class PointFriction {
   explicit PointFriction(const SimulateScene& scene)
       : law_(scene.law), method_(scene.following.method), following_(scene.following) {
     const BristleSettings& b = following_.bristle;
-    bristle_ = {b.stiffness, b.damping, law_.mu_viscous > 0 ? 1. : 0., b.elastic_share, b.nu0};
+    const bool viscous = law_.mu_viscous > 0 && !acts_on_zone();
+    bristle_ = {b.stiffness, b.damping, viscous ? 1. : 0., b.elastic_share, b.nu0};
   }
 
   bool has_bristle() const { return method_ != FrictionMethod::tanh && method_ != FrictionMethod::karnopp; }
   double stiffness() const { return has_bristle() ? bristle_.c0 : 0; }
+  double zone_mass() const { return following_.zone_mass; }
   // From which share of the present limit on it slips.
-  double yielding() const { return method_ == FrictionMethod::elastoplastic ? bristle_.elastic_share : nearly; }
+  double yielding() const {
+    if (method_ == FrictionMethod::elastoplastic) return bristle_.elastic_share;
+    return method_ == FrictionMethod::half_freedom ? 1 : nearly;
+  }
 
   // Under the normal force F.
-  Friction operator()(double F, double kappa, double u, double held) const {
+  Friction operator()(double F, double kappa, double kappa_rate, double u, double held) const {
     using namespace dynamics;
     const double S = law_.mu_static * F;
     if (method_ == FrictionMethod::tanh) {
@@ -136,6 +142,17 @@ class PointFriction {
       const double R = karnopp_force(law_, F, following_.dead_band, held, u);
       return {R, 0, std::fabs(u) > following_.dead_band ? 1 : std::fabs(R) / S * nearly};
     }
+    if (method_ == FrictionMethod::boundary_layer) {
+      const BoundaryLayer zone{following_.zone_mass, following_.steepness};
+      const double own = u + kappa_rate;
+      return {bristle_force(bristle_, law_, F, kappa, kappa_rate, u), kappa_rate,
+              std::tanh(zone.steepness * std::fabs(own)), boundary_layer_force(zone, law_, F, own)};
+    }
+    if (method_ == FrictionMethod::half_freedom) {
+      const double rate = half_freedom_exact_rate(bristle_, law_, F, kappa, u);
+      const double pull = std::fabs(bristle_.c0 * kappa - bristle_.c1 * u);
+      return {bristle_force(bristle_, law_, F, kappa, rate, u), rate, S > 0 ? pull / S : 2};
+    }
     const double rate = method_ == FrictionMethod::elastoplastic ? extended_rate(bristle_, law_, F, kappa, u)
                                                                  : dahl_rate(bristle_, law_, F, kappa, u);
     const double limit = u == 0 ? S : std::fabs(stribeck_force(law_, F, u));
@@ -144,6 +161,10 @@ class PointFriction {
   }
 
  private:
+  bool acts_on_zone() const {
+    return method_ == FrictionMethod::half_freedom || method_ == FrictionMethod::boundary_layer;
+  }
+
   friction::Law law_;
   FrictionMethod method_;
   const Following& following_;
@@ -155,9 +176,10 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
   const MovingBody& b = scene.body;
   const PointFriction law(scene);
   const auto friction = [&](double t, const Flow::State& y) {
-    return law(scene.normal_force(t), y[2], y[1] - b.support_speed, s.held(t, y[0]));
+    return law(scene.normal_force(t), y[2], y[3], y[1] - b.support_speed, s.held(t, y[0]));
   };
-  Flow::State y{b.place[0], b.twist[0], 0, 0, 0};
+  Flow::State y{b.place[0], b.twist[0], 0, 0, 0, 0};
+  const double zone_mass = law.zone_mass();
   if (b.settled && law.has_bristle()) y[2] = -s.held(0, y[0]) / law.stiffness();
   const bool starts_moving = b.twist[0] != b.support_speed;
   const auto& corners = scene.loads.corners();
@@ -172,9 +194,15 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
           at = std::min(at, last);
           const Friction R = friction(at, x);
           const double f = s.load(at), u = x[1] - b.support_speed;
-          dx = {x[1], (f - b.spring * x[0] - b.damper * x[1] + R.force) / b.mass, R.kappa_rate,
-                f * x[1] + R.force * b.support_speed,
-                -R.force * u - law.stiffness() * x[2] * R.kappa_rate + b.damper * x[1] * x[1]};
+          const double acceleration = (f - b.spring * x[0] - b.damper * x[1] + R.force) / b.mass;
+          const double on_support = zone_mass > 0 ? R.zone : R.force;
+          dx = {x[1], acceleration, R.kappa_rate, 0, f * x[1] + on_support * b.support_speed, b.damper * x[1] * x[1]};
+          if (zone_mass > 0) {
+            dx[3] = (R.zone - R.force) / zone_mass - acceleration;
+            dx[5] += (R.force - law.stiffness() * x[2]) * R.kappa_rate - R.zone * (u + R.kappa_rate);
+          } else {
+            dx[5] -= R.force * u + law.stiffness() * x[2] * R.kappa_rate;
+          }
         },
         y, t, {s.tolerance, 1e-6});
     flow.watch(
@@ -198,10 +226,10 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
       row.deflection = along_x(-x[2]);
       row.friction = along_x(R.force);
       row.slips = R.present >= law.yielding();
-      row.kinetic = b.mass * x[1] * x[1] / 2;
+      row.kinetic = (b.mass * x[1] * x[1] + zone_mass * (x[1] + x[3]) * (x[1] + x[3])) / 2;
       row.stored = b.spring * x[0] * x[0] / 2 + law.stiffness() * x[2] * x[2] / 2;
-      row.work = x[3];
-      row.dissipated = x[4];
+      row.work = x[4];
+      row.dissipated = x[5];
       s.add(record, row);
       ++next;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <patchgrip/cli/scene/outline_reader.h>
 #include <patchgrip/cli/scene/scene.h>
 #include <patchgrip/cli/scene/sequence_reader.h>
+#include <patchgrip/dynamics/half_freedom_patch.h>
 
 namespace patchgrip::cli {
 namespace {
@@ -19,10 +21,16 @@ constexpr Quantity time_range = non_negative("a time in s");
 constexpr Quantity component = any_sign("a component of a force in N");
 constexpr Quantity speed = any_sign("a velocity in m/s");
 
-constexpr std::array<std::string_view, 8> method_names{
-    "rigid", "return_mapping", "elastoplastic", "elastoplastic_printed", "lugre", "dahl", "tanh", "karnopp"};
+constexpr std::array<std::string_view, 10> method_names{
+    "rigid",          "return_mapping", "elastoplastic", "elastoplastic_printed", "half_freedom", "lugre", "dahl",
+    "boundary_layer", "tanh",           "karnopp"};
 
-bool has_bristles(FrictionMethod m) { return m >= FrictionMethod::return_mapping && m <= FrictionMethod::dahl; }
+bool has_bristles(FrictionMethod m) {
+  return m >= FrictionMethod::return_mapping && m <= FrictionMethod::boundary_layer;
+}
+bool is_smooth_patch(FrictionMethod m) {
+  return m >= FrictionMethod::elastoplastic && m <= FrictionMethod::half_freedom;
+}
 
 // --- what moves
 
@@ -116,7 +124,7 @@ Course read_pressing(const TomlReader& scene, FrictionMethod method) {
   const std::string patch = contact.text("patch");
   if (patch == "hertz_disc" || patch == "hertz_ellipse")
     scene.refuse("normal_force", "used with a patch that keeps its size; that of a Hertz contact follows the force");
-  if (patch != "point" && (method == FrictionMethod::elastoplastic || method == FrictionMethod::elastoplastic_printed))
+  if (patch != "point" && is_smooth_patch(method))
     scene.refuse("normal_force", fmt::format("not used by method = \"{}\" of a patch", name_of(method)));
   return read_course(table);
 }
@@ -139,13 +147,19 @@ std::vector<Applied> read_applied(const TomlReader& scene, bool point) {
 
 void read_bristles(const TomlReader& motion, bool point, Following& f) {
   BristleSettings& b = f.bristle;
+  const bool half = f.method == FrictionMethod::half_freedom;
   b.stiffness = motion.number("stiffness", positive("the stiffness of the bristles in N/m"));
-  if (motion.has("damping")) b.damping = motion.number("damping", non_negative("a damping in N s/m"));
+  if (half || motion.has("damping")) {
+    b.damping = motion.number("damping", half ? positive("a damping in N s/m") : non_negative("a damping in N s/m"));
+  }
   if (point) {
     b.elastic_share = 0.9;
   } else {
     b.turn_stiffness = motion.number("turn_stiffness", positive("the stiffness of the bristles to turns in N m"));
-    if (motion.has("turn_damping")) b.turn_damping = motion.number("turn_damping", non_negative("a damping in N m s"));
+    if (half || motion.has("turn_damping")) {
+      b.turn_damping =
+          motion.number("turn_damping", half ? positive("a damping in N m s") : non_negative("a damping in N m s"));
+    }
   }
   if (motion.has("elastic_share"))
     b.elastic_share = motion.number("elastic_share", {"a share of the limit", 1e-3, 0.9999});
@@ -168,25 +182,28 @@ void refuse_unused(const TomlReader& motion, const Following& f, bool point) {
   refuse_unless(m == FrictionMethod::elastoplastic && !point, {"length"});
   refuse_unless(mapping, {"integrator", "step"});
   refuse_unless(!mapping, {"tolerance"});
-  refuse_unless(m == FrictionMethod::tanh, {"steepness"});
+  refuse_unless(m == FrictionMethod::tanh || m == FrictionMethod::boundary_layer, {"steepness"});
+  refuse_unless(m == FrictionMethod::boundary_layer, {"zone_mass"});
   refuse_unless(m == FrictionMethod::karnopp, {"dead_band"});
   refuse_unless(!point && m != FrictionMethod::rigid, {"rest_speed"});
 }
 
 void check_method(const TomlReader& motion, FrictionMethod m, bool point) {
-  const bool of_points =
-      m == FrictionMethod::rigid || m == FrictionMethod::elastoplastic || m > FrictionMethod::elastoplastic_printed;
-  const bool of_patches = m <= FrictionMethod::elastoplastic_printed;
-  if (point && !of_points) motion.refuse("method", "of a point: rigid, elastoplastic, lugre, dahl, tanh or karnopp");
+  const bool of_points = m != FrictionMethod::return_mapping && m != FrictionMethod::elastoplastic_printed;
+  const bool of_patches = m <= FrictionMethod::half_freedom;
+  if (point && !of_points) {
+    motion.refuse("method",
+                  "of a point: rigid, elastoplastic, half_freedom, lugre, dahl, boundary_layer, tanh or karnopp");
+  }
   if (!point && !of_patches)
-    motion.refuse("method", "of a patch: rigid, return_mapping, elastoplastic or elastoplastic_printed");
+    motion.refuse("method", "of a patch: rigid, return_mapping, elastoplastic, elastoplastic_printed or half_freedom");
 }
 
 Following read_following(const TomlReader& scene, bool point) {
   if (!scene.has("motion")) scene.refuse("motion", "a table [motion] with 'times', and 'method' unless it is rigid");
   const TomlReader motion = scene.table(
       "motion", {"method", "integrator", "step", "tolerance", "stiffness", "turn_stiffness", "damping", "turn_damping",
-                 "elastic_share", "nu0", "length", "steepness", "dead_band", "rest_speed", "times"});
+                 "elastic_share", "nu0", "length", "steepness", "zone_mass", "dead_band", "rest_speed", "times"});
   Following f;
   if (motion.has("method")) f.method = static_cast<FrictionMethod>(motion.choice("method", method_names));
   check_method(motion, f.method, point);
@@ -197,7 +214,10 @@ Following read_following(const TomlReader& scene, bool point) {
     f.implicit_euler = motion.has("integrator") && motion.choice("integrator", integrators) == 1;
     f.step = motion.number("step", positive("a step in s"));
   }
-  if (f.method == FrictionMethod::tanh) f.steepness = motion.number("steepness", positive("the steepness a in s/m"));
+  if (f.method == FrictionMethod::boundary_layer)
+    f.zone_mass = motion.number("zone_mass", positive("the mass of the contact zone in kg"));
+  if (f.method == FrictionMethod::tanh || f.method == FrictionMethod::boundary_layer)
+    f.steepness = motion.number("steepness", positive("the steepness a in s/m"));
   if (f.method == FrictionMethod::karnopp) f.dead_band = motion.number("dead_band", positive("a velocity in m/s"));
   if (motion.has("tolerance")) f.tolerance = motion.number("tolerance", {"a tolerance of a step", 1e-13, 1e-4});
   if (motion.has("rest_speed")) f.rest_speed = motion.number("rest_speed", positive("a velocity in m/s"));
@@ -214,14 +234,33 @@ Following read_following(const TomlReader& scene, bool point) {
   return f;
 }
 
-friction::Law read_law(const TomlReader& scene, const Contact& contact, const Following& f) {
+friction::Law read_law(const TomlReader& scene, const Contact& contact, bool point, const Following& f) {
   if (contact.resistance) return friction::Law::coulomb(*contact.resistance / contact.normal_force);
   const friction::Law law = read_friction(scene);
   if (is_local_stribeck(scene))
     friction_table(scene).refuse("stribeck", "\"mean\": 'simulate' takes Stribeck's law in the mean");
-  if (law.mu_viscous > 0 && has_bristles(f.method) && f.method <= FrictionMethod::elastoplastic_printed)
+  const bool of_patches = f.method == FrictionMethod::return_mapping || is_smooth_patch(f.method);
+  if (law.mu_viscous > 0 && of_patches && !(point && f.method == FrictionMethod::half_freedom))
     friction_table(scene).refuse("mu_viscous", fmt::format("not used by method = \"{}\"", name_of(f.method)));
   return law;
+}
+
+// Dampers of half a degree of freedom must be stronger than friction falls with speed.
+void check_damping(const TomlReader& scene, const Contact& contact, bool point, const friction::Law& law,
+                   const BristleSettings& b) {
+  const Place place = scene.place("motion");
+  if (point) {
+    const double least = dynamics::least_damping(law, contact.normal_force) - law.mu_viscous * contact.normal_force;
+    if (!(b.damping > least)) place.refuse(fmt::format("damping must be above {:g} N s/m, or the zone jumps", least));
+    return;
+  }
+  const dynamics::HalfFreedomParameters p{{b.stiffness, b.stiffness, b.turn_stiffness},
+                                          {b.damping, b.damping, b.turn_damping}};
+  try {
+    p.check(any_patch(contact).moments(), law, contact.normal_force);
+  } catch (const std::invalid_argument& error) {
+    place.refuse(error.what());
+  }
 }
 
 }  // namespace
@@ -252,7 +291,8 @@ SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLi
   Contact contact = read_contact(scene, materials);
   if (!point && !(any_patch(contact).moments().polar > 0))
     scene.refuse("contact", "a single point has patch = \"point\"; a body in the plane needs a contact with a size");
-  const friction::Law law = read_law(scene, contact, following);
+  const friction::Law law = read_law(scene, contact, point, following);
+  if (following.method == FrictionMethod::half_freedom) check_damping(scene, contact, point, law, following.bristle);
   return {std::move(title),     std::move(contact),   point, law, body, std::move(loads), pressing,
           std::move(following), scene.place("motion")};
 }

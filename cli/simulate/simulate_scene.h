@@ -23,8 +23,20 @@ namespace patchgrip::cli {
 constexpr double most_times = 1e6;
 constexpr double most_steps = 1e9;  // of return mapping, or under a load that changes
 
-// Of bodies and of points, in the order of their names in simulate_scene.cc.
-enum class FrictionMethod { rigid, return_mapping, elastoplastic, elastoplastic_printed, lugre, dahl, tanh, karnopp };
+// Of bodies up to half_freedom, of points all but return_mapping and elastoplastic_printed; in the order of their names
+// in simulate_scene.cc.
+enum class FrictionMethod {
+  rigid,
+  return_mapping,
+  elastoplastic,
+  elastoplastic_printed,
+  half_freedom,
+  lugre,
+  dahl,
+  boundary_layer,
+  tanh,
+  karnopp
+};
 
 std::string_view name_of(FrictionMethod method);
 
@@ -52,7 +64,8 @@ struct Following {
   double step = 0;                   // [s], of return mapping
   double tolerance = 1e-12;          // of a step, of the others
   BristleSettings bristle;           // of return mapping and elastoplastic bristles
-  double steepness = 0;              // a [s/m], of tanh
+  double steepness = 0;              // a [s/m], of tanh and boundary layers
+  double zone_mass = 0;              // [kg], of boundary layers
   double dead_band = 0;              // [m/s], of Karnopp
   std::optional<double> rest_speed;  // [m/s]
   Sequence times = Sequence::of_values({0});

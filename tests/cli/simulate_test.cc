@@ -20,6 +20,11 @@ using test::with;
 
 class Simulate : public test::SimulateTest {};
 
+std::string scene_text(const std::string& name) {
+  std::ifstream in(test::simulate_folder / (name + ".toml"));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 TEST_F(Simulate, PucksStopWhereTheyAreKnownTo) {
   const Answer hertz = committed("puck_hertz");
   EXPECT_NEAR(hertz.value("stop_time"), .28808448600715, 2e-13);
@@ -45,6 +50,35 @@ TEST_F(Simulate, EveryLawStopsTheDiscOfFigure430WhenItIsKnownTo) {
   const Answer rigid = committed("figure_4_30_rigid");
   EXPECT_NEAR(rigid.value("stop_time"), 24.835538557, 2e-9);
   EXPECT_NEAR(rigid.value("break_away"), 5, 1e-14);
+}
+
+// Its zone slips where g(s*) passes the limit, as in return mapping, whose foot has no lever; rigid is where both tend.
+TEST_F(Simulate, HalfADegreeOfFreedomStopsTheDiscNearReturnMapping) {
+  const Answer half = committed("figure_4_30_half_freedom"), mapped = committed("figure_4_30_return_mapping");
+  EXPECT_NEAR(half.value("break_away"), 5.2094, 1e-3);
+  EXPECT_NEAR(half.value("stop_time"), mapped.value("stop_time"), 0.1);
+  EXPECT_LE(half.value("drift_in_stick"), 1e-13);
+  const auto scene = [](double k, double d) {
+    return with(good_puck, "method = \"rigid\"",
+                "method = \"half_freedom\"\nrest_speed = 1e-4\nstiffness = " + std::to_string(k) +
+                    "\nturn_stiffness = " + std::to_string(k * 1.25e-3) + "\ndamping = " + std::to_string(d) +
+                    "\nturn_damping = " + std::to_string(d * 1.25e-3));
+  };
+  const Answer puck = answer_to(scene(1e6, 1e3));
+  EXPECT_NEAR(puck.table["x_m"].back(), .12928855096844, 1e-5);
+  EXPECT_NEAR(puck.table["turn_rad"].back(), 3.27323081330, 1e-3);
+}
+
+// A zone with a mass and smoothed friction tends to one without, which tends to the rigid block.
+TEST_F(Simulate, ABoundaryLayerTendsToHalfADegreeOfFreedom) {
+  const Answer half = committed("block_half_freedom"), layer = committed("block_boundary_layer");
+  const Answer lighter = answer_to(with(
+      with(scene_text("block_boundary_layer"), "zone_mass = 0.01 ", "zone_mass = 0.001 "), "to = 1.5", "to = 1.2"));
+  const double far = std::fabs(layer.value("stop_distance") - half.value("stop_distance"));
+  const double near = std::fabs(lighter.value("stop_distance") - half.value("stop_distance"));
+  // Its mass is a hundredth of the block's, and so is what it adds to the way.
+  EXPECT_NEAR(far, 0.01 * half.value("stop_distance"), 1e-3);
+  EXPECT_LE(near, far / 4);
 }
 
 TEST_F(Simulate, Example47StopsWhenItIsKnownTo) {
@@ -156,12 +190,9 @@ TEST_F(Simulate, AnyPatchIsFollowedByEveryMethod) {
 }
 
 TEST_F(Simulate, ThePrintedLawStopsElsewhere) {
-  const std::string text = [&] {
-    std::ifstream in(test::simulate_folder / "figure_4_30.toml");
-    std::string all{std::istreambuf_iterator<char>(in), {}};
-    return with(with(all, "length = 0.2                 # m: of the metric, the radius\n", ""),
-                "method = \"elastoplastic\"", "method = \"elastoplastic_printed\"");
-  }();
+  const std::string text =
+      with(with(scene_text("figure_4_30"), "length = 0.2                 # m: of the metric, the radius\n", ""),
+           "method = \"elastoplastic\"", "method = \"elastoplastic_printed\"");
   const Answer a = answer_to(text);
   EXPECT_GT(std::fabs(a.value("stop_time") - 43.936), 1);
 }

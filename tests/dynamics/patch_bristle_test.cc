@@ -29,7 +29,7 @@ Vector3 vector(const nlohmann::json& values) {
   return {values[0].get<double>(), values[1].get<double>(), values[2].get<double>()};
 }
 
-using Motion = BristleMotion<Surface>;
+using Motion = BristleMotion<PatchBristle<Surface>>;
 
 // Figures 4.30 and 4.31: a disc under a steady force, and a moment for ten seconds.
 TEST(PatchBristle, TheDiscOfTheFiguresComesToRest) {

@@ -94,6 +94,34 @@ TEST(PointBristle, SticksElasticallyBelowItsElasticShare) {
   EXPECT_NEAR(plastic_share(bristle, -5, -0.95 * end, 0.3), 0.5, 1e-14);
 }
 
+// Half a degree of freedom: the root solves the balance of the zone, and the zone sticks exactly below mu_s F_N.
+TEST(PointBristle, TheZoneOfHalfADegreeOfFreedomIsInBalance) {
+  const Law law = Law::stribeck(0.9, 0.4, 0.02).with_viscous(0.05);
+  const PointBristle bristle{3e4, 500};
+  for (const double kappa : {-1e-3, -4e-4, 0., 3e-4}) {
+    for (const double v : {-0.3, -0.01, 0., 0.002, 0.05, 2.}) {
+      const double rate = half_freedom_exact_rate(bristle, law, 20, kappa, v), u = v + rate;
+      const double force = bristle_force(bristle, law, 20, kappa, rate, v);
+      if (std::fabs(bristle.c0 * kappa - bristle.c1 * v) <= 18) {
+        EXPECT_EQ(rate, -v);
+        EXPECT_LE(std::fabs(force), 18);
+      } else {
+        EXPECT_NEAR(force, stribeck_force(law, 20, u) + viscous_force(law, 20, u), 1e-12 * 500);
+        EXPECT_LE(force * u, 0);
+      }
+    }
+  }
+}
+
+// Smoothed friction of a boundary layer: that of the law beyond a few 1 / a.
+TEST(PointBristle, ABoundaryLayerRubsByTheLaw) {
+  const Law law = Law::stribeck(0.9, 0.4, 0.02).with_viscous(0.05);
+  const BoundaryLayer zone{1e-3, 1e4};
+  for (const double u : {-0.5, 0.01})
+    EXPECT_NEAR(boundary_layer_force(zone, law, 20, u), stribeck_force(law, 20, u) + viscous_force(law, 20, u), 1e-12);
+  EXPECT_EQ(boundary_layer_force(zone, law, 20, 0), 0);
+}
+
 TEST(PointBristle, TheSwitchRampsWithinAPercent) {
   EXPECT_EQ(switch_ramp(0.3), 0);
   EXPECT_EQ(switch_ramp(1), 0);
