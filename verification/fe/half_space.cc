@@ -2,11 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 
 namespace patchgrip::verification {
+namespace {
+
+constexpr double growth = 0.15;  // of the size of the elements, per length
+
+}  // namespace
 
 double shear_modulus(const contact::Material& material) {
   return material.youngs_modulus / (2 * (1 + material.poisson_ratio));
@@ -23,15 +29,22 @@ Point boussinesq_section(const Point& at, double force, const contact::Material&
           -scale * (Z * Z / (q * q * q) + 2 * (1 - nu) / q), 0};
 }
 
-Model half_space_of_revolution(const Setting& setting, double contact_reach, const contact::Material& material,
-                               double force) {
+Model half_space_section(const Setting& setting, double contact_reach, double edge_refinement) {
   const double fine = 1 / setting.elements, extent = setting.extent;
-  Model model(Mesh::half_space_section(extent, contact_reach, graded(fine, 1.3, 0.15)));
+  const SizeAt within = graded(fine, 1.3, growth), edge = graded(fine / edge_refinement, 0, growth);
+  Model model(Mesh::half_space_section(extent, contact_reach, [&](double x, double y, double z) {
+    return std::min(within(x, y, z), edge(x - contact_reach, y, z));
+  }));
   const double near = 1e-9 * extent;
   model.mark(region::contact, [=](const Point& p) { return std::fabs(p[1]) < near && p[0] < contact_reach + near; });
   model.mark(region::far, [=](const Point& p) { return std::hypot(p[0], p[1]) > extent - near; });
   model.mark(region::axis, [=](const Point& p) { return std::fabs(p[0]) < near; });
+  return model;
+}
 
+Model half_space_of_revolution(const Setting& setting, double contact_reach, const contact::Material& material,
+                               double force, double edge_refinement) {
+  Model model = half_space_section(setting, contact_reach, edge_refinement);
   model.field("u", 2, 2);
   model.field("lam", 1, 1, region::contact);
   model.known("G", shear_modulus(material));
@@ -42,7 +55,7 @@ Model half_space_of_revolution(const Setting& setting, double contact_reach, con
       "+2*G*(Sym(Grad_u):Sym(Grad_Test_u)+u(1)*Test_u(1)/sqr(X(1))))*X(1)");
   model.linear(fmt::format("{}*u(1)*Test_u(1)", 1e5 * material.youngs_modulus * setting.elements), region::axis);
   model.known_field("far_u", "u", [&](const Point& p) {
-    return std::hypot(p[0], p[1]) > 0.5 * extent ? boussinesq_section(p, force, material) : Point{0, 0, 0};
+    return std::hypot(p[0], p[1]) > 0.5 * setting.extent ? boussinesq_section(p, force, material) : Point{0, 0, 0};
   });
   model.hold("u", region::far, "far_u");
   return model;

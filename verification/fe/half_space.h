@@ -24,9 +24,12 @@ double lame_modulus(const contact::Material& material);
 
 Point boussinesq_section(const Point& at, double force, const contact::Material& material);  // (u_r, u_z)
 
+// The section alone, its regions marked. Elements at the edge of the contact are smaller by `edge_refinement`.
+Model half_space_section(const Setting& setting, double contact_reach, double edge_refinement = 1);
+
 // Fields u and lam, lam [Pa] the pressure where r <= contact_reach; numbers G, la, gam for terms. Contact is not said yet.
 Model half_space_of_revolution(const Setting& setting, double contact_reach, const contact::Material& material,
-                               double force);
+                               double force, double edge_refinement = 1);
 
 // A rigid body of height f (GetFEM's language) touches without friction; its approach `delta` is unknown, its force given.
 void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start);

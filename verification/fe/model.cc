@@ -199,7 +199,7 @@ double Model::number(const std::string& unknown) const { return parts_->model.re
 
 double Model::integral(const std::string& expression, int region) const {
   getfem::ga_workspace workspace(parts_->model);
-  workspace.add_expression(expression, parts_->rule(region), parts_->faces_of(region));
+  workspace.add_expression(expression, parts_->rule(region), parts_->faces_of(region), 0);
   workspace.assembly(0);
   return workspace.assembled_potential();
 }
