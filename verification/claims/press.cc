@@ -16,6 +16,8 @@ namespace {
 constexpr double radius = 1;                                               // a [m]
 const auto material = contact::Material::elastic(1000 * (1 - 0.09), 0.3);  // E* = 1 kPa
 
+const double rigid_modulus = contact::contact_modulus(material, contact::Material::rigid());
+
 // A flat punch of radius x has <r^2> = 2 x^2 / 3.
 template <contact::Profile P>
 double rms_radius(const contact::AxisymmetricContact<P>& press) {
@@ -24,8 +26,7 @@ double rms_radius(const contact::AxisymmetricContact<P>& press) {
 }
 
 template <contact::Profile P>
-PressedBody pressed(const P& profile, std::string height) {
-  const double modulus = contact::contact_modulus(material, contact::Material::rigid());
+PressedBody pressed(const P& profile, std::string height, double modulus = rigid_modulus) {
   const auto press = contact::AxisymmetricContact<P>::at_radius(profile, radius, modulus);
   return {material,
           press.force(),
@@ -40,9 +41,9 @@ PressedBody pressed(const P& profile, std::string height) {
 
 }  // namespace
 
-PressedBody pressed_paraboloid() {
+PressedBody pressed_paraboloid(double contact_modulus) {
   constexpr double R = 1000 * radius;
-  return pressed(contact::Paraboloid::of_radius(R), fmt::format("sqr(X(1))/{}", 2 * R));
+  return pressed(contact::Paraboloid::of_radius(R), fmt::format("sqr(X(1))/{}", 2 * R), contact_modulus);
 }
 
 PressedBody pressed_sphere(double contact_over_sphere_radius) {

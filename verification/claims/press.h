@@ -22,7 +22,7 @@ struct PressedBody {
   std::vector<Quantity> quantities;
 };
 
-PressedBody pressed_paraboloid();
+PressedBody pressed_paraboloid(double contact_modulus = 1000);
 PressedBody pressed_sphere(double contact_over_sphere_radius);
 // Hertz where a/R = 0.1, against a body that touches where its points have gone: f(r + u_r) in place of f(r).
 PressedBody pressed_paraboloid_at_moved_points();

@@ -44,20 +44,30 @@ Model half_space_section(const Setting& setting, double contact_reach, double ed
 
 Model half_space_of_revolution(const Setting& setting, double contact_reach, const contact::Material& material,
                                double force, double edge_refinement) {
+  Model model = bare_half_space(setting, contact_reach, material, edge_refinement);
+  model.linear(
+      "(la*(Trace(Grad_u)+u(1)/X(1))*(Trace(Grad_Test_u)+Test_u(1)/X(1))"
+      "+2*G*(Sym(Grad_u):Sym(Grad_Test_u)+u(1)*Test_u(1)/sqr(X(1))))*X(1)");
+  set_far_force(model, setting, material, force);
+  model.hold("u", region::far, "far_u");
+  return model;
+}
+
+void set_far_force(Model& model, const Setting& setting, const contact::Material& material, double force) {
+  model.known_field("far_u", "u", [&](const Point& p) {
+    return std::hypot(p[0], p[1]) > 0.5 * setting.extent ? boussinesq_section(p, force, material) : Point{0, 0, 0};
+  });
+}
+
+Model bare_half_space(const Setting& setting, double contact_reach, const contact::Material& material,
+                      double edge_refinement) {
   Model model = half_space_section(setting, contact_reach, edge_refinement);
   model.field("u", 2, 2);
   model.field("lam", 1, 1, region::contact);
   model.known("G", shear_modulus(material));
   model.known("la", lame_modulus(material));
   model.known("gam", contact::contact_modulus(material, contact::Material::rigid()) * setting.elements);
-  model.linear(
-      "(la*(Trace(Grad_u)+u(1)/X(1))*(Trace(Grad_Test_u)+Test_u(1)/X(1))"
-      "+2*G*(Sym(Grad_u):Sym(Grad_Test_u)+u(1)*Test_u(1)/sqr(X(1))))*X(1)");
   model.linear(fmt::format("{}*u(1)*Test_u(1)", 1e5 * material.youngs_modulus * setting.elements), region::axis);
-  model.known_field("far_u", "u", [&](const Point& p) {
-    return std::hypot(p[0], p[1]) > 0.5 * setting.extent ? boussinesq_section(p, force, material) : Point{0, 0, 0};
-  });
-  model.hold("u", region::far, "far_u");
   return model;
 }
 
@@ -69,12 +79,14 @@ void press_without_friction(Model& model, const std::string& height, double forc
   model.load("delta", -force);
 }
 
-std::string von_mises_of_revolution() {
-  const std::string strain =
-      "[[Grad_u(1,1),(Grad_u(1,2)+Grad_u(2,1))/2,0],[(Grad_u(1,2)+Grad_u(2,1))/2,Grad_u(2,2),0],"
-      "[0,0,u(1)/max(X(1),1e-9)]]";
-  return "2*G*sqrt(1.5)*Norm(Deviator(" + strain + "))";
+std::string strain_of_revolution(const std::string& field) {
+  return fmt::format(
+      "[[Grad_{0}(1,1),(Grad_{0}(1,2)+Grad_{0}(2,1))/2,0],[(Grad_{0}(1,2)+Grad_{0}(2,1))/2,Grad_{0}(2,2),0],"
+      "[0,0,{0}(1)/max(X(1),1e-9)]]",
+      field);
 }
+
+std::string von_mises_of_revolution() { return "2*G*sqrt(1.5)*Norm(Deviator(" + strain_of_revolution("u") + "))"; }
 
 double pressure_distance_of(const std::vector<std::pair<Point, double>>& line,
                             const std::function<double(double)>& pressure) {

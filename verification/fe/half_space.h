@@ -27,13 +27,20 @@ Point boussinesq_section(const Point& at, double force, const contact::Material&
 // The section alone, its regions marked. Elements at the edge of the contact are smaller by `edge_refinement`.
 Model half_space_section(const Setting& setting, double contact_reach, double edge_refinement = 1);
 
-// Fields u and lam, lam [Pa] the pressure where r <= contact_reach; numbers G, la, gam for terms. Contact is not said yet.
+// Fields u and lam, lam [Pa] the pressure where r <= contact_reach; numbers G, la, gam for terms. Neither the strain
+// energy nor contact nor the far boundary is said yet.
+Model bare_half_space(const Setting& setting, double contact_reach, const contact::Material& material,
+                      double edge_refinement = 1);
+void set_far_force(Model& model, const Setting& setting, const contact::Material& material, double force);  // far_u
+
+// With the strain energy and the far boundary. Contact is not said yet.
 Model half_space_of_revolution(const Setting& setting, double contact_reach, const contact::Material& material,
                                double force, double edge_refinement = 1);
 
 // A rigid body of height f (GetFEM's language) touches without friction; its approach `delta` is unknown, its force given.
 void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start);
 
+std::string strain_of_revolution(const std::string& field);
 std::string von_mises_of_revolution();  // [Pa], from u, G, la
 
 // sqrt(int (lam - p)^2 r dr / int p^2 r dr) over the radii of the line.
