@@ -11,17 +11,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-double largest(const Values& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::fabs(value));
-  return most;
-}
-
-Values distance(const Values& one, const Values& other) {
-  Values apart(one.size());
-  for (std::size_t k = 0; k < one.size(); ++k) apart[k] = std::fabs(one[k] - other[k]);
-  return apart;
-}
+constexpr std::size_t most_triangles = 4000;  // of a picture
 
 struct Refined {
   Values error;
@@ -33,12 +23,12 @@ Refined refined(const std::vector<Run>& runs, std::size_t quantity) {
   const auto& fine = runs[last].values[quantity];
   const auto& coarse = runs[last - 1].values[quantity];
   const double ratio = runs[last].setting.elements / runs[last - 1].setting.elements;
-  Values step = distance(fine, coarse);
+  Values step = distances(fine, coarse);
   double order = std::numeric_limits<double>::quiet_NaN();
   double trusted = 1;
   if (last >= 2) {
-    const Values before = distance(coarse, runs[last - 2].values[quantity]);
-    order = std::log(largest(before) / largest(step)) / std::log(ratio);
+    const Values before = distances(coarse, runs[last - 2].values[quantity]);
+    order = std::log(largest_of(before) / largest_of(step)) / std::log(ratio);
     trusted = std::isnan(order) ? 1 : std::clamp(order, 0.5, 2.);
     for (std::size_t k = 0; k < step.size(); ++k) step[k] = std::max(step[k], before[k] / (ratio * ratio));
   }
@@ -55,30 +45,15 @@ Run timed(const Setting& setting, const Solver& solve, Solved& solved) {
 
 }  // namespace
 
-Comparison compare(const Quantity& quantity, const Values& fe, const Values& fe_error, double order) {
-  Comparison c{quantity,
-               fe,
-               fe_error,
-               largest(distance(fe, quantity.library)) / quantity.scale,
-               largest(fe_error) / quantity.scale,
-               order,
-               Verdict::cannot_judge};
-  if (quantity.claim == Claim::differs) {
-    if (c.difference > c.relative_error) c.verdict = Verdict::differs;
-  } else if (c.relative_error <= quantity.tolerance) {
-    c.verdict = c.difference <= quantity.tolerance ? Verdict::agrees : Verdict::differs;
-  } else if (c.difference > quantity.tolerance + c.relative_error) {
-    c.verdict = Verdict::differs;
-  }
-  return c;
-}
-
 Study study(const std::vector<Quantity>& quantities, const std::vector<Setting>& settings, const Solver& solve,
             const std::function<void(const Run&)>& progress) {
   Study study;
   for (const Setting& setting : settings) {
     study.runs.push_back(timed(setting, solve, study.finest));
     progress(study.runs.back());
+    if (study.finest.stress && (!study.stress || study.finest.stress->triangles.size() <= most_triangles)) {
+      study.stress = study.finest.stress;
+    }
     if (study.finest.values.size() != quantities.size()) throw std::logic_error("a case solves what it does not claim");
   }
   if (settings.front().extent > 0) {
@@ -90,7 +65,7 @@ Study study(const std::vector<Quantity>& quantities, const std::vector<Setting>&
   for (std::size_t q = 0; q < quantities.size(); ++q) {
     auto [error, order] = refined(study.runs, q);
     if (study.larger_body) {
-      const Values moved = distance(study.larger_body->values[q], study.runs[settings.size() - 2].values[q]);
+      const Values moved = distances(study.larger_body->values[q], study.runs[settings.size() - 2].values[q]);
       for (std::size_t k = 0; k < error.size(); ++k) error[k] += 4. / 3 * moved[k];
     }
     study.comparisons.push_back(compare(quantities[q], study.runs.back().values[q], error, order));

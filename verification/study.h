@@ -6,9 +6,6 @@
 // taken as 1. A difference that happens to be small is not trusted: the one before, shrunk by r^2, bounds it from
 // below. To this comes what the last mesh but one changes when the body is made twice as large, times 4/3: the far
 // field leaves an error that falls at least quadratically with the size.
-//
-// Verdict  agrees, or differs, where FE's error allows to tell; else cannot_judge: FE's error exceeds the tolerance, or
-//          the difference that is claimed.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include <patchgrip/verification/claims/claim.h>
+#include <patchgrip/verification/claims/comparison.h>
 #include <patchgrip/verification/fe/model.h>
 
 namespace patchgrip::verification {
@@ -56,27 +53,12 @@ struct Run {
   std::vector<std::vector<double>> values;
 };
 
-enum class Verdict { agrees, differs, cannot_judge };
-
-struct Comparison {
-  Quantity quantity;
-  std::vector<double> fe;  // on the finest mesh
-  std::vector<double> fe_error;
-  double difference;      // relative to the scale, the largest
-  double relative_error;  // of FE, relative to the scale, the largest
-  double order;           // observed; NaN where it was not
-  Verdict verdict;
-
-  bool is_as_claimed() const noexcept {
-    return verdict != (quantity.claim == Claim::agrees ? Verdict::differs : Verdict::agrees);
-  }
-};
-
 struct Study {
   std::vector<Run> runs;  // from coarse to fine
   std::optional<Run> larger_body;
   std::vector<Comparison> comparisons;
   Solved finest;
+  std::optional<PlaneField> stress;  // of the finest mesh that a picture can show
 };
 
 using Solver = std::function<Solved(const Setting&)>;
@@ -84,8 +66,5 @@ using Solver = std::function<Solved(const Setting&)>;
 // At least two settings, from coarse to fine; without an extent there is no larger body.
 Study study(const std::vector<Quantity>& quantities, const std::vector<Setting>& settings, const Solver& solve,
             const std::function<void(const Run&)>& progress);
-
-Comparison compare(const Quantity& quantity, const std::vector<double>& fe, const std::vector<double>& fe_error,
-                   double order);
 
 }  // namespace patchgrip::verification

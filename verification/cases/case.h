@@ -1,4 +1,4 @@
-// A case of the verification: what the library says and how finite elements find out.
+// A case of the verification: how finite elements find out about what claims/all_claims.h says of the same name.
 #pragma once
 
 #include <span>
@@ -10,11 +10,9 @@
 namespace patchgrip::verification {
 
 struct Case {
-  std::string_view name;  // on the command line and of files
-  std::string_view title;
+  std::string_view name;      // of its claims
   std::vector<Setting> ci;    // meshes from coarse to fine
   std::vector<Setting> full;  // what is added
-  std::vector<Quantity> (*claims)();
   Solved (*solve)(const Setting&);
 };
 

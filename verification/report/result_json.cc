@@ -5,7 +5,7 @@
 #include <string>
 
 #include <patchgrip/cli/output_file.h>
-#include <patchgrip/verification/report/summary.h>
+#include <patchgrip/verification/claims/all_claims.h>
 #include <patchgrip/version.h>
 
 namespace patchgrip::verification {
@@ -40,11 +40,13 @@ ordered_json json_of(const Comparison& c) {
 
 }  // namespace
 
+std::map<std::string, std::string> versions() {
+  return {{"patchgrip", std::string(version)}, {"getfem", getfem_version()}, {"gmsh", gmsh_version()}};
+}
+
 void write_result(const std::filesystem::path& file, const Case& one, std::string_view level, const Study& study) {
-  ordered_json json{{"case", one.name},
-                    {"title", one.title},
-                    {"level", level},
-                    {"versions", {{"patchgrip", version}, {"getfem", getfem_version()}, {"gmsh", gmsh_version()}}}};
+  ordered_json json{
+      {"case", one.name}, {"title", claims_of(one.name).title}, {"level", level}, {"versions", versions()}};
   for (const Run& run : study.runs) json["runs"].push_back(json_of(run));
   if (study.larger_body) json["larger_body"] = json_of(*study.larger_body);
   for (const Comparison& c : study.comparisons) json["quantities"].push_back(json_of(c));

@@ -6,17 +6,6 @@
 
 namespace patchgrip::verification {
 
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::agrees:
-      return "agrees";
-    case Verdict::differs:
-      return "differs";
-    default:
-      return "cannot judge";
-  }
-}
-
 std::string progress_line(const Run& run) {
   const std::string extent = run.setting.extent > 0 ? fmt::format(", body {:g} a", run.setting.extent) : "";
   return fmt::format("  n = {:g}{}: {} unknowns, {} iterations, {:.2f} s\n", run.setting.elements, extent, run.unknowns,

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include <patchgrip/verification/study.h>
 
 namespace patchgrip::verification {
 
-std::string_view name_of(Verdict verdict);
 std::string progress_line(const Run& run);
 std::string summary(const Study& study);
 
