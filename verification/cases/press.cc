@@ -1,0 +1,45 @@
+#include <patchgrip/verification/cases/press.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <patchgrip/verification/fe/half_space.h>
+
+namespace patchgrip::verification {
+
+Solved solve_press(const PressedBody& body, const Setting& setting) {
+  constexpr double contact_reach = 1.15;  // over a: short of the equator of the deepest sphere
+  auto model = std::make_shared<Model>(half_space_of_revolution(setting, contact_reach, body.material, body.force));
+  press_without_friction(*model, body.height, body.force, 0.9 * body.approach);
+  Solved solved;
+  solved.iterations = model->solve(1e-8 * body.force, "press");
+  solved.unknowns = model->unknowns();
+
+  const auto line = model->along("lam", region::contact);
+  const double force = model->integral("2*pi*X(1)*lam", region::contact);
+  const double second_moment = model->integral("2*pi*X(1)*sqr(X(1))*lam", region::contact);
+  solved.values = {{model->number("delta")},
+                   {std::sqrt(second_moment / force)},
+                   {line.front().second},
+                   {pressure_distance_of(line, body.pressure)}};
+
+  Curve curve{"pressure", "r / a", "p [Pa]", {{"FE", {}, {}}, {"library", {}, {}, true}}};
+  for (const auto& [at, pressure] : line) {
+    curve.lines[0].x.push_back(at[0]);
+    curve.lines[0].y.push_back(pressure);
+  }
+  for (int k = 0; k <= 200; ++k) {
+    const double r = contact_reach * k / 200;
+    curve.lines[1].x.push_back(r);
+    curve.lines[1].y.push_back(body.pressure(r));
+  }
+  solved.curves.push_back(std::move(curve));
+  solved.stress = model->plane_field(von_mises_of_revolution());
+  solved.vtk = [model](const std::string& file) {
+    model->write_vtk(file, {"u"}, {{"von_mises", von_mises_of_revolution()}});
+  };
+  return solved;
+}
+
+}  // namespace patchgrip::verification

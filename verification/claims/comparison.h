@@ -1,0 +1,39 @@
+// A claim held against finite elements.
+//
+// Verdict  agrees, or differs, where FE's error allows to tell; else cannot_judge: FE's error exceeds the tolerance, or
+//          the difference that is claimed.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <patchgrip/verification/claims/claim.h>
+
+namespace patchgrip::verification {
+
+enum class Verdict { agrees, differs, cannot_judge };
+
+struct Comparison {
+  Quantity quantity;
+  std::vector<double> fe;  // on the finest mesh
+  std::vector<double> fe_error;
+  double difference;      // relative to the scale, the largest
+  double relative_error;  // of FE, relative to the scale, the largest
+  double order;           // observed; NaN where it was not
+  Verdict verdict;
+
+  bool is_as_claimed() const noexcept {
+    return verdict != (quantity.claim == Claim::agrees ? Verdict::differs : Verdict::agrees);
+  }
+};
+
+Comparison compare(const Quantity& quantity, const std::vector<double>& fe, const std::vector<double>& fe_error,
+                   double order);
+
+// Their absolute values' largest; absolute differences, element by element.
+double largest_of(const std::vector<double>& values);
+std::vector<double> distances(const std::vector<double>& one, const std::vector<double>& other);
+
+std::string_view name_of(Verdict verdict);
+
+}  // namespace patchgrip::verification

@@ -1,0 +1,34 @@
+// A paraboloid on a standard linear solid: held, pressed harder and harder, pressed and released.
+//
+// E(t) = E_2 + E_1 exp(-t/tau) at a constant Poisson ratio, so that every modulus fades alike; tau = 1 s, t up to 3 s.
+// Library: Lee and Radok while the contact grows, Ting while it shrinks (contact/creep/press_under_force.h). The seed's
+// relation (4.72, contact/creep/seed_creep.h) is claimed to be wrong.
+#pragma once
+
+#include <vector>
+
+#include <patchgrip/contact/creep/history.h>
+#include <patchgrip/contact/material.h>
+#include <patchgrip/verification/claims/claim.h>
+
+namespace patchgrip::verification {
+
+struct CreepingPress {
+  contact::Material glassy;          // at t = 0
+  double fading_share;               // E_1 / (E_1 + E_2)
+  double fading_time;                // tau [s]
+  double sphere_radius;              // R [m]
+  contact::History force;            // [N]
+  double end;                        // [s]
+  std::vector<double> times;         // of the quantities [s]
+  std::vector<Quantity> quantities;  // approach over time; the seed's, where it has one
+};
+
+// What would move the glassy body as much, far from the contact: M(0) int C(t - s) dF(s) [N].
+double elastic_force(const CreepingPress& press, double t);
+
+CreepingPress held();
+CreepingPress ramped();
+CreepingPress released();
+
+}  // namespace patchgrip::verification

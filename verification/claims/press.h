@@ -1,0 +1,30 @@
+// Presses of rigid bodies of revolution into an elastic half-space under a given force: what the library says.
+//
+// The bodies press so that the library's contact radius is 1 m: the unit of length. Quantities: approach, the root
+// mean square radius of the pressure, sqrt(<r^2>_p) (0.632 a for Hertz), p(0), and the L2 distance of p(r).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <patchgrip/contact/material.h>
+#include <patchgrip/verification/claims/claim.h>
+
+namespace patchgrip::verification {
+
+struct PressedBody {
+  contact::Material material;              // of the half-space
+  double force;                            // F [N]
+  double approach;                         // delta [m]
+  std::string height;                      // f(r) in the language of GetFEM
+  std::function<double(double)> pressure;  // p(r) [Pa]
+  std::vector<Quantity> quantities;
+};
+
+PressedBody pressed_paraboloid(double contact_modulus = 1000);
+PressedBody pressed_sphere(double contact_over_sphere_radius);
+// Hertz where a/R = 0.1, against a body that touches where its points have gone: f(r + u_r) in place of f(r).
+PressedBody pressed_paraboloid_at_moved_points();
+
+}  // namespace patchgrip::verification

@@ -1,0 +1,32 @@
+// Meshes of the bodies that are verified, made by gmsh and written as files of its format 2.2, which GetFEM reads.
+//
+// Bodies of revolution are meshed as their section in the half-plane x = r, y = z; the axis is x = 0. The surface of a
+// half-space is y = 0 (z = 0 in space), the material below it. Half-spaces end on a quarter circle or an eighth of a
+// sphere.
+//
+// Units    any length, e.g. the contact radius; a size is the wanted length of an edge of an element at a point.
+// Throws   std::runtime_error with gmsh's own words.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+namespace patchgrip::verification {
+
+using SizeAt = std::function<double(double x, double y, double z)>;
+
+// `fine` up to the distance `reach` from the origin, and from there growing by `growth` per length.
+SizeAt graded(double fine, double reach, double growth);
+
+struct Mesh {
+  static Mesh half_space_section(double extent, double split, const SizeAt& size);  // with a node at (split, 0)
+  static Mesh half_space_quarter(double extent, const SizeAt& size);                // x >= 0, y >= 0, z <= 0
+  static Mesh hemisphere_section(double radius, const SizeAt& size);                // apex at (0, -radius), curved
+  static Mesh elliptic_pad(double a, double b, double height, double size);         // 0 <= z <= height, curved
+  static Mesh box_pad(double side_x, double side_y, double height, double size);    // 0 <= z <= height
+
+  std::filesystem::path file;  // kept until the program ends
+  int dimension;
+};
+
+}  // namespace patchgrip::verification
