@@ -14,15 +14,17 @@
 namespace patchgrip::verification {
 
 struct PressedBody {
-  contact::Material material;              // of the half-space
-  double force;                            // F [N]
-  double approach;                         // delta [m]
-  std::string height;                      // f(r) in the language of GetFEM
-  std::function<double(double)> pressure;  // p(r) [Pa]
+  contact::Material material;               // of the half-space
+  double force;                             // F [N]
+  double approach;                          // delta [m]
+  std::string height;                       // f(r) in the language of GetFEM
+  std::function<double(double)> height_at;  // f(r) [m]
+  std::function<double(double)> pressure;   // p(r) [Pa]
   std::vector<Quantity> quantities;
 };
 
 PressedBody pressed_paraboloid(double contact_modulus = 1000);
+std::vector<Quantity> paraboloid_at_approach();  // its force, where the approach is given
 PressedBody pressed_sphere(double contact_over_sphere_radius);
 // Hertz where a/R = 0.1, against a body that touches where its points have gone: f(r + u_r) in place of f(r).
 PressedBody pressed_paraboloid_at_moved_points();
