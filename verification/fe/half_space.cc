@@ -82,8 +82,12 @@ void press_without_friction(Model& model, const std::string& height, double forc
 std::string strain_of_revolution(const std::string& field) {
   return fmt::format(
       "[[Grad_{0}(1,1),(Grad_{0}(1,2)+Grad_{0}(2,1))/2,0],[(Grad_{0}(1,2)+Grad_{0}(2,1))/2,Grad_{0}(2,2),0],"
-      "[0,0,{0}(1)/max(X(1),1e-9)]]",
-      field);
+      "[0,0,{1}]]",
+      field, stretch_around_axis(field));
+}
+
+std::string stretch_around_axis(const std::string& field) {
+  return fmt::format("(Heaviside(X(1)-1e-6)*{0}(1)/max(X(1),1e-6)+Heaviside(1e-6-X(1))*Grad_{0}(1,1))", field);
 }
 
 std::string von_mises_of_revolution() { return "2*G*sqrt(1.5)*Norm(Deviator(" + strain_of_revolution("u") + "))"; }

@@ -41,7 +41,8 @@ Model half_space_of_revolution(const Setting& setting, double contact_reach, con
 void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start);
 
 std::string strain_of_revolution(const std::string& field);
-std::string von_mises_of_revolution();  // [Pa], from u, G, la
+std::string stretch_around_axis(const std::string& field);  // u_r / r, and on the axis du_r / dr
+std::string von_mises_of_revolution();                      // [Pa], from u, G, la
 
 // sqrt(int (lam - p)^2 r dr / int p^2 r dr) over the radii of the line.
 double pressure_distance_of(const std::vector<std::pair<Point, double>>& line,
