@@ -37,7 +37,8 @@ PressedBody pressed(const P& profile, std::string height, double modulus = rigid
           {number("approach", "m", press.approach(), 3.3e-4, "0.05 % in force is 0.033 % in approach"),
            number("rms radius of p", "m", rms_radius(press), 5e-4, "as the force"),
            number("p(0)", "Pa", press.pressure(0), 2e-3, "one node of a linear multiplier: h^2 of the pressure"),
-           pressure_distance(0.02, "the kink of p at r = a costs O(h): 1.8 % at 20 elements per radius")}};
+           pressure_distance(0.02, "the kink of p at r = a costs O(h): 1.8 % at 20 elements per radius")},
+          ""};
 }
 
 }  // namespace
@@ -60,6 +61,7 @@ PressedBody pressed_sphere(double contact_over_sphere_radius) {
 PressedBody pressed_paraboloid_at_moved_points() {
   constexpr double R = 10 * radius;
   auto body = pressed(contact::Paraboloid::of_radius(R), fmt::format("sqr(X(1)+u(1))/{}", 2 * R));
+  body.slope = fmt::format("(X(1)+u(1))/{}", R);
   for (auto& quantity : body.quantities) {
     quantity.claim = Claim::differs;
     quantity.reason =

@@ -71,11 +71,14 @@ Model bare_half_space(const Setting& setting, double contact_reach, const contac
   return model;
 }
 
-void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start) {
+void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start,
+                            const std::string& slope) {
   model.unknown("delta", approach_to_start);
   const std::string pressure = "pos_part(lam+gam*(u(2)+delta-" + height + "))";
-  model.nonlinear(fmt::format("{0}*Test_u(2)*X(1)+(1/gam)*({0}-lam)*Test_lam*X(1)-2*pi*{0}*Test_delta*X(1)", pressure),
-                  region::contact);
+  const std::string outwards = slope.empty() ? "" : "-" + slope + "*Test_u(1)";
+  model.nonlinear(
+      fmt::format("({0}*(Test_u(2){1})+(1/gam)*({0}-lam)*Test_lam-2*pi*{0}*Test_delta)*X(1)", pressure, outwards),
+      region::contact);
   model.load("delta", -force);
 }
 

@@ -38,7 +38,9 @@ Model half_space_of_revolution(const Setting& setting, double contact_reach, con
                                double force, double edge_refinement = 1);
 
 // A rigid body of height f (GetFEM's language) touches without friction; its approach `delta` is unknown, its force given.
-void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start);
+// The pressure acts downwards, and with a `slope` (f') along the normal of the body.
+void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start,
+                            const std::string& slope = "");
 
 std::string strain_of_revolution(const std::string& field);
 std::string stretch_around_axis(const std::string& field);  // u_r / r, and on the axis du_r / dr
