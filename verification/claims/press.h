@@ -27,8 +27,8 @@ struct PressedBody {
 PressedBody pressed_paraboloid(double contact_modulus = 1000);
 std::vector<Quantity> paraboloid_at_approach();  // its force, where the approach is given
 PressedBody pressed_sphere(double contact_over_sphere_radius);
-// Hertz where a/R = 0.1, against a body that touches points where they have gone, f(r + u_r) in place of f(r), and presses
-// along its normal: 1.6 % more force at the same approach, which no mesh takes away.
+// Hertz where a/R = 0.1, against a body that touches points where they have gone, f(r + u_r) in place of f(r), and
+// presses along its normal: 1.6 % more force at the same approach, which no mesh takes away.
 PressedBody pressed_paraboloid_at_moved_points();
 
 }  // namespace patchgrip::verification

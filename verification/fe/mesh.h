@@ -32,8 +32,8 @@ struct Mesh {
   int dimension;
 };
 
-// The section of a half-space as quadrilaterals of eight nodes, in a block inner <= x <= extent, -extent <= y <= 0; square
-// ones, `elements` per length, up to 1.5. Corners turn anticlockwise, then come the middles of their sides.
+// The section of a half-space as quadrilaterals of eight nodes, in a block inner <= x <= extent, -extent <= y <= 0;
+// square ones, `elements` per length, up to 1.5. Corners turn anticlockwise, then come the middles of their sides.
 struct QuadSection {
   static QuadSection half_space(double inner, double extent, double elements);
 
