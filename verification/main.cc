@@ -66,7 +66,10 @@ bool verify(const Case& one, const Options& options, std::string& report) {
   write_fields(options.output, one, result);
   report += html_of(one, result);
   const StoredRun run = stored_run_of(one, options.level, result);
-  if (!options.store.empty()) write(options.store / file, text_of(run));
+  if (!options.store.empty()) {
+    write(options.store / file, text_of(run));
+    if (one.stores_stress) write(options.store / fmt::format("{}_von_mises.csv", one.name), csv_of(*result.stress));
+  }
   bool is_reproduced = true;
   if (options.check_stored) {
     const Reproduction reproduction =

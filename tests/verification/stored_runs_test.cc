@@ -44,6 +44,17 @@ TEST(StoredRuns, LibraryIsAsClaimedAgainstEachOfThem) {
   }
 }
 
+// GetFEM was given the force, CalculiX the approach; F ~ delta^(3/2).
+TEST(StoredRuns, TwoSolversAgreeWithinTheirErrors) {
+  const StoredRun getfem = read_stored_run(file_of("sphere")), calculix = read_stored_run(file_of("sphere_ccx"));
+  const double approach = claims_of("sphere").quantities()[0].library[0];
+  const double force = claims_of("sphere_ccx").quantities()[0].library[0];
+  const StoredQuantity& delta = getfem.quantities[0];
+  const StoredQuantity& F = calculix.quantities[0];
+  const double stiffer_getfem = 1.5 * (approach / delta.fe[0] - 1), stiffer_calculix = F.fe[0] / force - 1;
+  EXPECT_LE(std::fabs(stiffer_getfem - stiffer_calculix), 1.5 * delta.fe_error[0] / approach + F.fe_error[0] / force);
+}
+
 TEST(StoredRuns, AreReadAsTheyWereWritten) {
   const auto file = file_of("sphere");
   std::stringstream text;

@@ -5,6 +5,7 @@
 #include <patchgrip/verification/cases/creep.h>
 #include <patchgrip/verification/cases/pad.h>
 #include <patchgrip/verification/cases/press.h>
+#include <patchgrip/verification/cases/press_ccx.h>
 #include <patchgrip/verification/cases/punch.h>
 #include <patchgrip/verification/cases/shear.h>
 
@@ -28,6 +29,7 @@ std::span<const Case> all_cases() {
   static const std::array cases{
       Case{"sphere", sections, finer_section,
            [](const Setting& setting) { return solve_press(pressed_paraboloid(), setting); }},
+      Case{"sphere_ccx", coarse_sections, fine_section, solve_press_by_calculix},
       Case{"sphere_01", sections, finer_section,
            [](const Setting& setting) { return solve_press(pressed_sphere(0.1), setting); }},
       Case{"sphere_05", sections, finer_section,
@@ -51,7 +53,7 @@ std::span<const Case> all_cases() {
            [](const Setting& setting) { return solve_ellipse(pressed_ellipse(0.5), setting); }},
       Case{"ellipse_01", quarters, finer_quarter,
            [](const Setting& setting) { return solve_ellipse(pressed_ellipse(0.1), setting); }},
-      Case{"rubber_hemisphere", {{5, 0}, {10, 0}, {20, 0}}, {{40, 0}}, solve_rubber_hemisphere},
+      Case{"rubber_hemisphere", {{5, 0}, {10, 0}, {20, 0}}, {{40, 0}}, solve_rubber_hemisphere, true},
       Case{"pad_disc_0", pads, finer_pad,
            [](const Setting& setting) { return solve_pad(pad(PadShape::disc, 0), setting); }},
       Case{"pad_disc_05", pads, finer_pad,

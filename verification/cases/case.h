@@ -14,6 +14,7 @@ struct Case {
   std::vector<Setting> ci;    // meshes from coarse to fine
   std::vector<Setting> full;  // what is added
   Solved (*solve)(const Setting&);
+  bool stores_stress = false;  // beside the stored run, for figures
 };
 
 std::span<const Case> all_cases();

@@ -11,7 +11,7 @@ namespace patchgrip::verification {
 Solved solve_press(const PressedBody& body, const Setting& setting) {
   constexpr double contact_reach = 1.15;  // over a: short of the equator of the deepest sphere
   auto model = std::make_shared<Model>(half_space_of_revolution(setting, contact_reach, body.material, body.force));
-  press_without_friction(*model, body.height, body.force, 0.9 * body.approach);
+  press_without_friction(*model, body.height, body.force, 0.9 * body.approach, body.slope);
   Solved solved;
   solved.iterations = model->solve(1e-8 * body.force, "press");
   solved.unknowns = model->unknowns();

@@ -18,6 +18,7 @@ std::span<const ClaimSet> all_claims() {
   static const std::array sets{
       ClaimSet{"sphere", "Rigid sphere on a half-space, a/R = 0.001 (Hertz)",
                [] { return pressed_paraboloid().quantities; }},
+      ClaimSet{"sphere_ccx", "Rigid sphere on a half-space, a/R = 0.001, by CalculiX", paraboloid_at_approach},
       ClaimSet{"sphere_01", "Rigid sphere on a half-space, a/R = 0.1", [] { return pressed_sphere(0.1).quantities; }},
       ClaimSet{"sphere_05", "Rigid sphere on a half-space, a/R = 0.5", [] { return pressed_sphere(0.5).quantities; }},
       ClaimSet{"sphere_08", "Rigid sphere on a half-space, a/R = 0.8", [] { return pressed_sphere(0.8).quantities; }},

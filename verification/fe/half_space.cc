@@ -71,19 +71,26 @@ Model bare_half_space(const Setting& setting, double contact_reach, const contac
   return model;
 }
 
-void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start) {
+void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start,
+                            const std::string& slope) {
   model.unknown("delta", approach_to_start);
   const std::string pressure = "pos_part(lam+gam*(u(2)+delta-" + height + "))";
-  model.nonlinear(fmt::format("{0}*Test_u(2)*X(1)+(1/gam)*({0}-lam)*Test_lam*X(1)-2*pi*{0}*Test_delta*X(1)", pressure),
-                  region::contact);
+  const std::string outwards = slope.empty() ? "" : "-" + slope + "*Test_u(1)";
+  model.nonlinear(
+      fmt::format("({0}*(Test_u(2){1})+(1/gam)*({0}-lam)*Test_lam-2*pi*{0}*Test_delta)*X(1)", pressure, outwards),
+      region::contact);
   model.load("delta", -force);
 }
 
 std::string strain_of_revolution(const std::string& field) {
   return fmt::format(
       "[[Grad_{0}(1,1),(Grad_{0}(1,2)+Grad_{0}(2,1))/2,0],[(Grad_{0}(1,2)+Grad_{0}(2,1))/2,Grad_{0}(2,2),0],"
-      "[0,0,{0}(1)/max(X(1),1e-9)]]",
-      field);
+      "[0,0,{1}]]",
+      field, stretch_around_axis(field));
+}
+
+std::string stretch_around_axis(const std::string& field) {
+  return fmt::format("(Heaviside(X(1)-1e-6)*{0}(1)/max(X(1),1e-6)+Heaviside(1e-6-X(1))*Grad_{0}(1,1))", field);
 }
 
 std::string von_mises_of_revolution() { return "2*G*sqrt(1.5)*Norm(Deviator(" + strain_of_revolution("u") + "))"; }

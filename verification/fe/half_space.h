@@ -1,7 +1,7 @@
 // The elastic half-space of revolution under a force on its axis, cut off at a quarter circle.
 //
-// Small strains; the field is u = (u_r, u_z), y = z is negative inside. On the far boundary u is Boussinesq's of a point
-// force F at the origin,
+// Small strains; the field is u = (u_r, u_z), y = z is negative inside. On the far boundary u is Boussinesq's of a
+// point force F at the origin,
 //
 //     u_r = F/(4 pi G) (r Z / q^3 - (1 - 2 nu) r / (q (q + Z))),   u_z = -F/(4 pi G) (Z^2 / q^3 + 2 (1 - nu) / q)
 //
@@ -37,11 +37,14 @@ void set_far_force(Model& model, const Setting& setting, const contact::Material
 Model half_space_of_revolution(const Setting& setting, double contact_reach, const contact::Material& material,
                                double force, double edge_refinement = 1);
 
-// A rigid body of height f (GetFEM's language) touches without friction; its approach `delta` is unknown, its force given.
-void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start);
+// A rigid body of height f (GetFEM's language) touches without friction; its approach `delta` is unknown, its force
+// given. The pressure acts downwards, and with a `slope` (f') along the normal of the body.
+void press_without_friction(Model& model, const std::string& height, double force, double approach_to_start,
+                            const std::string& slope = "");
 
 std::string strain_of_revolution(const std::string& field);
-std::string von_mises_of_revolution();  // [Pa], from u, G, la
+std::string stretch_around_axis(const std::string& field);  // u_r / r, and on the axis du_r / dr
+std::string von_mises_of_revolution();                      // [Pa], from u, G, la
 
 // sqrt(int (lam - p)^2 r dr / int p^2 r dr) over the radii of the line.
 double pressure_distance_of(const std::vector<std::pair<Point, double>>& line,

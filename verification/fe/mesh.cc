@@ -1,39 +1,22 @@
 #include <patchgrip/verification/fe/mesh.h>
 
 #include <gmsh.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <patchgrip/verification/fe/work_folder.h>
 
 namespace patchgrip::verification {
 namespace {
 
 namespace geo = gmsh::model::geo;
 namespace occ = gmsh::model::occ;
-
-// Removed with all that is in it at the end of the program.
-class WorkFolder {
- public:
-  WorkFolder() : path_(std::filesystem::temp_directory_path() / ("patchgrip-verify-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-
-  std::filesystem::path next_file() { return path_ / ("mesh" + std::to_string(++count_) + ".msh"); }
-
- private:
-  std::filesystem::path path_;
-  int count_ = 0;
-};
 
 struct GmshSession {
   GmshSession() {
@@ -54,7 +37,6 @@ struct GmshSession {
 
 // The one surface or volume that there is, with elements of the given order.
 Mesh meshed(int dimension, const SizeAt& size, int order) {
-  static WorkFolder folder;
   gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) { return size(x, y, z); });
   gmsh::vectorpair entities;
   gmsh::model::getEntities(entities, dimension);
@@ -63,7 +45,7 @@ Mesh meshed(int dimension, const SizeAt& size, int order) {
   gmsh::model::addPhysicalGroup(dimension, tags, 1000);  // out of the way of regions of the boundary
   gmsh::model::mesh::generate(dimension);
   if (order > 1) gmsh::model::mesh::setOrder(order);
-  const auto file = folder.next_file();
+  const auto file = new_work_file(".msh");
   gmsh::write(file.string());
   return {file, dimension};
 }
@@ -131,6 +113,67 @@ Mesh Mesh::box_pad(double side_x, double side_y, double height, double size) {
         occ::addBox(-side_x / 2, -side_y / 2, 0, side_x, side_y, height);
         occ::synchronize();
       });
+}
+
+QuadSection QuadSection::half_space(double inner, double extent, double elements) {
+  constexpr double fine_reach = 1.5, wanted_growth = 1.2;
+  const double fine = 1 / elements, rest = extent - fine_reach;
+  const int fine_count = static_cast<int>(std::lround(fine_reach * elements));
+  const int count =
+      static_cast<int>(std::ceil(std::log1p(rest * (wanted_growth - 1) / fine) / std::log(wanted_growth)));
+  // The ratio q of neighbours with which `count` elements from `fine` on fill the rest.
+  double low = 1 + 1e-6, high = 2;
+  while (high - low > 1e-12) {
+    const double q = (low + high) / 2;
+    (fine * (std::pow(q, count) - 1) / (q - 1) < rest ? low : high) = q;
+  }
+  const GmshSession session;
+  const std::array<double, 3> xs{inner, fine_reach, extent}, ys{0, -fine_reach, -extent};
+  std::array<std::array<int, 3>, 3> points{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) points[i][j] = geo::addPoint(xs[i], ys[j], 0);
+  }
+  const auto curve = [&](int from, int to, std::size_t block) {
+    const int line = geo::addLine(from, to);
+    geo::mesh::setTransfiniteCurve(line, (block == 0 ? fine_count : count) + 1, "Progression", block == 0 ? 1 : low);
+    return line;
+  };
+  std::array<std::array<int, 3>, 3> across{}, down{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      across[i][j] = curve(points[i][j], points[i + 1][j], i);
+      down[j][i] = curve(points[j][i], points[j][i + 1], i);
+    }
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      const int loop = geo::addCurveLoop({down[i][j], across[i][j + 1], -down[i + 1][j], -across[i][j]});
+      const int surface = geo::addPlaneSurface({loop});
+      geo::mesh::setTransfiniteSurface(surface);
+      geo::mesh::setRecombine(2, surface);
+    }
+  }
+  geo::synchronize();
+  gmsh::model::mesh::generate(2);
+  gmsh::option::setNumber("Mesh.SecondOrderIncomplete", 1);
+  gmsh::model::mesh::setOrder(2);
+
+  std::vector<std::size_t> tags, element_tags, element_nodes;
+  std::vector<double> places, unused;
+  gmsh::model::mesh::getNodes(tags, places, unused);
+  std::map<std::size_t, std::size_t> number;
+  QuadSection section;
+  for (std::size_t k = 0; k < tags.size(); ++k) {
+    number[tags[k]] = k;
+    section.nodes.push_back({places[3 * k], places[3 * k + 1]});
+  }
+  constexpr int eight_node_quad = 16;
+  gmsh::model::mesh::getElementsByType(eight_node_quad, element_tags, element_nodes);
+  for (std::size_t k = 0; k < element_nodes.size(); k += 8) {
+    auto& element = section.elements.emplace_back();
+    for (std::size_t i = 0; i < 8; ++i) element[i] = number.at(element_nodes[k + i]);
+  }
+  return section;
 }
 
 }  // namespace patchgrip::verification

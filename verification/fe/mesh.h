@@ -8,8 +8,11 @@
 // Throws   std::runtime_error with gmsh's own words.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace patchgrip::verification {
 
@@ -27,6 +30,15 @@ struct Mesh {
 
   std::filesystem::path file;  // kept until the program ends
   int dimension;
+};
+
+// The section of a half-space as quadrilaterals of eight nodes, in a block inner <= x <= extent, -extent <= y <= 0;
+// square ones, `elements` per length, up to 1.5. Corners turn anticlockwise, then come the middles of their sides.
+struct QuadSection {
+  static QuadSection half_space(double inner, double extent, double elements);
+
+  std::vector<std::array<double, 2>> nodes;
+  std::vector<std::array<std::size_t, 8>> elements;
 };
 
 }  // namespace patchgrip::verification

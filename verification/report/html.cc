@@ -61,6 +61,8 @@ std::string csv_of(const Curve& curve) {
   return text;
 }
 
+}  // namespace
+
 std::string csv_of(const PlaneField& field) {
   std::string text = "x1_m,y1_m,x2_m,y2_m,x3_m,y3_m,von_mises_Pa\n";
   for (const auto& triangle : field.triangles) {
@@ -73,8 +75,6 @@ std::string csv_of(const PlaneField& field) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string html_of(const Case& one, const Study& study) {
   constexpr double shown_reach = 2;  // of a half-space, in contact radii

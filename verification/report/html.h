@@ -15,6 +15,8 @@ std::string html_of_failure(const Case& one, std::string_view what);
 // All parts as a page.
 std::string html_page(std::string_view level, const std::string& parts);
 
+std::string csv_of(const PlaneField& field);  // a line for each triangle: its corners and the mean of the stress
+
 // Curves and the stress as CSV, fields as VTK for ParaView; named after the case.
 void write_fields(const std::filesystem::path& folder, const Case& one, const Study& study);
 

@@ -17,8 +17,8 @@ using cli::Anchor;
 using cli::Spot;
 
 // [mm]
-constexpr double width = 100, height = 72;
-constexpr double left = 16, right = width - 4, top = 8, bottom = height - 12;
+constexpr double width = 140, height = 72;
+constexpr double left = 16, right = width - 46, top = 8, bottom = height - 12;
 constexpr double number_size = 7, label_size = 8;  // [pt]
 constexpr cli::Stroke grid{{0.88, 0.88, 0.88}, 0.15}, frame{{0, 0, 0}, 0.2};
 
@@ -34,7 +34,13 @@ std::vector<double> ticks_of(const PlotAxis& axis) {
       values.push_back(std::pow(10, power));
     }
     if (values.size() >= 2) return values;
-    return {axis.low, axis.high};
+    values.clear();
+    for (double power = std::pow(10, std::floor(std::log10(axis.low))); power < axis.high; power *= 10) {
+      for (const double digit : {1., 2., 5.}) {
+        if (digit * power >= axis.low && digit * power <= axis.high) values.push_back(digit * power);
+      }
+    }
+    return values;
   }
   const auto ticks = cli::Ticks::between(axis.low, axis.high);
   for (double value = ticks.low; value <= ticks.high + ticks.step / 2; value += ticks.step) {
@@ -102,7 +108,7 @@ void Plot::points(const std::vector<double>& x, const std::vector<double>& y, co
 }
 
 void Plot::legend(const std::string& name, const cli::Colour& colour, bool has_points) {
-  const Spot at{right - 40, top + 4 + 4 * names_++};
+  const Spot at{right + 3, top + 4 + 4 * names_++};
   if (has_points) {
     svg_.circle({at.x + 3, at.y - 1}, 0.7, colour, {colour, 0.1});
   } else {

@@ -1,4 +1,4 @@
-// A frame with two axes, linear or logarithmic, in which lines, points and triangles are drawn as SVG.
+// A frame with two axes, linear or logarithmic, with lines and points in it and their names beside it, as SVG.
 #pragma once
 
 #include <string>

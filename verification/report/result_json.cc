@@ -6,6 +6,7 @@
 
 #include <patchgrip/cli/output_file.h>
 #include <patchgrip/verification/claims/all_claims.h>
+#include <patchgrip/verification/fe/calculix.h>
 #include <patchgrip/version.h>
 
 namespace patchgrip::verification {
@@ -41,7 +42,10 @@ ordered_json json_of(const Comparison& c) {
 }  // namespace
 
 std::map<std::string, std::string> versions() {
-  return {{"patchgrip", std::string(version)}, {"getfem", getfem_version()}, {"gmsh", gmsh_version()}};
+  return {{"patchgrip", std::string(version)},
+          {"getfem", getfem_version()},
+          {"gmsh", gmsh_version()},
+          {"ccx", calculix_version()}};
 }
 
 void write_result(const std::filesystem::path& file, const Case& one, std::string_view level, const Study& study) {

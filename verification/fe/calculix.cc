@@ -1,0 +1,68 @@
+#include <patchgrip/verification/fe/calculix.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <patchgrip/verification/fe/work_folder.h>
+
+namespace patchgrip::verification {
+namespace {
+
+std::string end_of(const std::filesystem::path& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  const std::string all = text.str();
+  constexpr std::size_t shown = 600;
+  return all.size() > shown ? all.substr(all.size() - shown) : all;
+}
+
+}  // namespace
+
+std::string calculix_version() { return PATCHGRIP_CCX_VERSION; }
+
+CalculixResult run_calculix(const std::string& input) {
+  auto stem = new_work_file("");
+  const auto with = [&](const char* extension) { return std::filesystem::path(stem.string() + extension); };
+  std::ofstream(with(".inp")) << input;
+  std::string program = PATCHGRIP_CCX, option = "-i", job = stem.string();
+  std::array<char*, 4> arguments{program.data(), option.data(), job.data(), nullptr};
+  const std::string log = with(".log").string();
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  pid_t child = 0;
+  const int failed = posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  if (failed != 0 || waitpid(child, &status, 0) != child) throw std::runtime_error(program + " cannot be started");
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    throw std::runtime_error("ccx did not converge; its log ends with:\n" + end_of(log));
+  }
+  return {with(".dat")};
+}
+
+double CalculixResult::total_force(int component) const {
+  std::ifstream in(table);
+  std::string line;
+  double force = 0;
+  bool is_found = false;
+  while (std::getline(in, line)) {
+    if (line.find("total force") == std::string::npos) continue;
+    while (std::getline(in, line) && line.find_first_not_of(" \r") == std::string::npos) {
+    }
+    std::istringstream numbers(line);
+    for (int k = 0; k <= component; ++k) is_found = static_cast<bool>(numbers >> force);
+  }
+  if (!is_found) throw std::runtime_error("ccx printed no total force");
+  return force;
+}
+
+}  // namespace patchgrip::verification
