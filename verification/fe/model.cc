@@ -10,6 +10,7 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -186,7 +187,11 @@ void Model::start(const std::string& field, double value) {
 
 int Model::solve(double residual, const std::string& place) {
   gmm::iteration iteration(residual, 0, most_iterations);
-  getfem::standard_solve(parts_->model, iteration, getfem::rselect_linear_solver(parts_->model, "mumps"));
+  try {
+    getfem::standard_solve(parts_->model, iteration, getfem::rselect_linear_solver(parts_->model, "mumps"));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(place + ": " + error.what());
+  }
   if (!iteration.converged()) {
     throw std::runtime_error(
         place + ": Newton's method did not converge: residual " + std::to_string(iteration.get_res()) + " after " +
