@@ -30,9 +30,9 @@ void reset(Block<d, S>& b) {
 
 }  // namespace
 
-InteriorPoint::InteriorPoint(const ScaledGrasp& grasp)
+InteriorPoint::InteriorPoint(const ScaledGrasp& grasp, const InteriorPointKernels& kernels)
     : grasp_(&grasp),
-      kernels_(&interior_point_kernels()),
+      kernels_(&kernels),
       L_(grasp.parts().size()),
       cones_((grasp.contacts() + lanes - 1) / lanes),
       caps_(cones_.size()) {

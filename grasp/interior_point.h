@@ -34,7 +34,7 @@ class InteriorPoint {
  public:
   enum class Status { optimal, infeasible, stalled };
 
-  explicit InteriorPoint(const ScaledGrasp& grasp);
+  explicit InteriorPoint(const ScaledGrasp& grasp, const InteriorPointKernels& kernels = interior_point_kernels());
 
   // Afresh; `problem` must be of the same grasp.
   void start(const GripProblem& problem, double settled_gap = 1e-4) noexcept;

@@ -14,4 +14,6 @@ const InteriorPointKernels& interior_point_kernels() noexcept {
   return baseline_kernels;
 }
 
+const InteriorPointKernels& baseline_interior_point_kernels() noexcept { return baseline_kernels; }
+
 }  // namespace patchgrip::grasp

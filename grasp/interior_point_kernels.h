@@ -81,6 +81,8 @@ struct InteriorPointKernels {
   void (*shift)(Blocks&, const double* u) noexcept;  // x += H A^T u
 };
 
+// Of the processor at hand; those that every processor can.
 const InteriorPointKernels& interior_point_kernels() noexcept;
+const InteriorPointKernels& baseline_interior_point_kernels() noexcept;
 
 }  // namespace patchgrip::grasp
