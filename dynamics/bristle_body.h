@@ -21,11 +21,14 @@
 // Energy       of both methods exact to rounding, with `numerical` >= 0, whatever L does from stage to stage: friction
 //              dissipates s . e = L D(e) in each.
 // Creep        none: where every stage sticks the anchor stays bit-identical.
-// Limit        L = mu(v) F_N at the end of each stage: `limit(t, v)` [N] is called with the stage's time and a
-//              prediction of its twist (Vector3); a falling mu(v) taken implicitly could have several solutions.
+// Limit        L = mu(v) F_N at the end of each stage: `limit(t, v)` is called with the stage's time and a prediction of
+//              its twist (Vector3); a falling mu(v) taken implicitly could have several solutions. It answers with L
+//              [N], or with L and the size of the patch against the one given, about the origin (Admissible): where a
+//              contact grows with its load, as Hertz's by F_N^(1/3) (contact/hertz_circle.h). Nothing above changes:
+//              0 is in L B whatever its size. K does not follow: bristles that stiffen under load would create energy.
 // Units        m [kg], J [kg m^2], K as round_return_mapping.h, D [N s/m], [N m s]; f [N], [N], [N m]; t, h [s].
 // Throws       std::invalid_argument unless m, J, h > 0, K > 0 or infinite, D >= 0 (0 for the rigid patch). step()
-//              passes on what `load` and `limit` throw; where either is not finite so is the result.
+//              passes on what `load` and `limit` throw, and refuses a size that is not positive; where either is not finite so is the result.
 #pragma once
 
 #include <array>
@@ -43,6 +46,14 @@
 namespace patchgrip::dynamics {
 
 enum class Method { implicit_euler, sdirk2 };
+
+// L B of a patch whose lengths are `size` times those given: B holds (f, m) if the given one holds (f, m / size).
+struct Admissible {
+  Admissible(double L, double relative_size = 1) : limit(L), size(relative_size) {}
+
+  double limit;  // L [N]
+  double size;   // > 0; without effect where L = 0
+};
 
 struct BristleBodyParameters {
   double mass;
@@ -81,7 +92,7 @@ class BristleBody {
     return kappa.dot(K_.cwiseProduct(kappa)) / 2;
   }
 
-  // From t to t + h; `load(t)` gives a Vector3, `limit(t, twist)` a double.
+  // From t to t + h; `load(t)` gives a Vector3, `limit(t, twist)` an Admissible or its limit.
   template <class Load, class Limit>
   StepResult step(const PlanarState& from, double t, double h, Method method, const Load& load,
                   const Limit& limit) const {
@@ -120,22 +131,28 @@ class BristleBody {
   bool is_rigid() const { return C_.isZero(0); }
 
   // The closest wrench to `trial` that the patch admits, turned by `angle`.
-  Returned closest(const Vector3& trial, double limit, const Vector3& Ke, double angle) const {
+  Returned closest(const Vector3& trial, const Admissible& set, const Vector3& Ke, double angle) const {
+    const double size = set.limit == 0 ? 1 : contact::require_positive("size", set.size);
+    const double moment = trial[2] / size, k_r = Ke[2] / (size * size);
+    Returned r;
     if constexpr (RoundAboutOrigin<P>) {
-      return mapping_({trial[0], trial[1], trial[2]}, limit, {Ke[0], Ke[2]});
+      r = mapping_({trial[0], trial[1], moment}, set.limit, {Ke[0], k_r});
     } else {
       const double c = std::cos(angle), s = std::sin(angle);
-      Returned r = mapping_({c * trial[0] + s * trial[1], c * trial[1] - s * trial[0], trial[2]}, limit,
-                            BristleMetric::diagonal(Ke[0], Ke[1], Ke[2]));
+      r = mapping_({c * trial[0] + s * trial[1], c * trial[1] - s * trial[0], moment}, set.limit,
+                   BristleMetric::diagonal(Ke[0], Ke[1], k_r));
       friction::Wrench& t = r.wrench.value;
       friction::Twist& u = r.slip;
       t = {c * t.fx - s * t.fy, s * t.fx + c * t.fy, t.m};
       u = {c * u.vx - s * u.vy, s * u.vx + c * u.vy, u.w};
-      return r;
     }
+    r.wrench.value.m *= size;
+    r.wrench.moment_error *= size;
+    r.slip.w /= size;
+    return r;
   }
 
-  Stage stage(const Vector3& v0, const Vector3& kappa0, double tau, const Vector3& f, double limit,
+  Stage stage(const Vector3& v0, const Vector3& kappa0, double tau, const Vector3& f, const Admissible& limit,
               double angle) const {
     Stage r{f, {}, {}, {}, Vector3::Zero(), kappa0, false};
     const Vector3 Kd = K_ + D_ / tau;  // K'

@@ -10,6 +10,7 @@
 
 #include <patchgrip/dynamics/rigid_motion.h>
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/hertz_ellipse.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
 #include <patchgrip/friction/placed.h>
 #include <patchgrip/friction/rectangle.h>
@@ -204,6 +205,53 @@ TEST(BristleBody, BadInputIsRefused) {
     EXPECT_THROW(body.step({}, 0, h, Method::sdirk2, no_load, [](double, const Vector3&) { return 1.; }),
                  std::invalid_argument);
   }
+}
+
+// A contact that grows and shrinks with its load, F_N^(1/3), over decades and to nothing: friction never drives.
+template <class P>
+void never_creates_energy_while_it_grows(const P& patch) {
+  std::mt19937_64 engine(7);
+  const BristleBody body(patch, {1, 1e-3, {1e5, 50}, 20, 0.01});
+  PlanarState s;
+  s.twist = {1, -1, 20};
+  double t = 0, scale = body.kinetic_energy(s);
+  const double start = scale;
+  for (int i = 0; i < cases(20000); ++i) {
+    const double h = log_uniform(engine, 1e-6, 1e-1);
+    const Vector3 f(uniform(engine, -10, 10), uniform(engine, -10, 10), uniform(engine, -0.1, 0.1));
+    const auto limit = [&](double, const Vector3&) {
+      const double F = uniform(engine, 0, 1) < 0.1 ? 0 : log_uniform(engine, 1e-3, 1e2);
+      return Admissible(0.5 * F, std::cbrt(F / 10));
+    };
+    const StepResult r = body.step(
+        s, t, h, i % 2 == 0 ? Method::sdirk2 : Method::implicit_euler, [&](double) { return f; }, limit);
+    ASSERT_GE(r.energy.slip, 0) << i;
+    ASSERT_GE(r.energy.damping, 0) << i;
+    ASSERT_GE(r.energy.numerical, 0) << i;
+    s = r.state;
+    t += h;
+    scale = std::max({scale, std::fabs(s.work), s.dissipated});
+    const double balance = start + s.work - s.dissipated - body.kinetic_energy(s) - body.stored_energy(s);
+    ASSERT_LE(std::fabs(balance), 1e-9 * scale) << i;
+  }
+}
+
+TEST(BristleBody, NeverCreatesEnergyWhileItsPatchGrows) {
+  never_creates_energy_while_it_grows(friction::HertzDisc::of_radius(0.01));
+  never_creates_energy_while_it_grows(friction::HertzEllipse::of_semi_axes(0.01, 0.005));
+}
+
+TEST(BristleBody, ASizeIsThatOfThePatch) {
+  const BristleBody given(friction::HertzDisc::of_radius(0.01), {1, 1e-3, {1e5, 50}});
+  const BristleBody larger(friction::HertzDisc::of_radius(0.02), {1, 1e-3, {1e5, 50}});
+  PlanarState s;
+  s.twist = {1, -1, 20};
+  const auto with = [](double size) { return [size](double, const Vector3&) { return Admissible(5, size); }; };
+  const StepResult a = given.step(s, 0, 1e-2, Method::sdirk2, no_load, with(2));
+  const StepResult b = larger.step(s, 0, 1e-2, Method::sdirk2, no_load, with(1));
+  EXPECT_LE((a.state.twist - b.state.twist).norm(), 1e-13 * s.twist.norm());
+  EXPECT_NEAR(a.energy.slip, b.energy.slip, 1e-13);
+  EXPECT_THROW(given.step(s, 0, 1e-2, Method::sdirk2, no_load, with(0)), std::invalid_argument);
 }
 
 }  // namespace
