@@ -28,7 +28,8 @@
 //              0 is in L B whatever its size. K does not follow: bristles that stiffen under load would create energy.
 // Units        m [kg], J [kg m^2], K as round_return_mapping.h, D [N s/m], [N m s]; f [N], [N], [N m]; t, h [s].
 // Throws       std::invalid_argument unless m, J, h > 0, K > 0 or infinite, D >= 0 (0 for the rigid patch). step()
-//              passes on what `load` and `limit` throw, and refuses a size that is not positive; where either is not finite so is the result.
+//              passes on what `load` and `limit` throw, and refuses a size that is not positive; where load or limit is
+//              not finite so is the result.
 #pragma once
 
 #include <array>

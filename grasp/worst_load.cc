@@ -114,7 +114,7 @@ WorstLoad Search::run(const WorstLoadSettings& settings) {
     }
   }
   const auto upper = [&] { return open.empty() ? inside_ : std::max(inside_, open.top().bound); };
-  while (n > 1 && !fails() && worst_.simplices < settings.max_simplices &&
+  while (n > 1 && !fails() && inside_ < infinity && worst_.simplices < settings.max_simplices &&
          !(worst_.lower >= (1 - settings.relative_width) * upper())) {
     if (settings.check_interrupt) settings.check_interrupt();
     const Simplex piece = open.top();

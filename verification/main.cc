@@ -91,8 +91,9 @@ int main(int argc, char** argv) {
   app.add_option("--level", options.level, "ci: minutes; full: one finer mesh each")
       ->check(CLI::IsMember({"ci", "full"}));
   app.add_option("--output", options.output, "folder for what is written")->capture_default_str();
-  app.add_option("--store", options.store, "folder that also takes the runs in the form of data/fe");
-  app.add_flag("--check-stored", options.check_stored, "holds the runs against those of data/fe");
+  CLI::Option* store =
+      app.add_option("--store", options.store, "folder that also takes the runs in the form of data/fe");
+  app.add_flag("--check-stored", options.check_stored, "holds the runs against those of data/fe")->excludes(store);
   std::vector<const Case*> cases;
   try {
     app.parse(argc, argv);
@@ -116,6 +117,11 @@ int main(int argc, char** argv) {
       is_fine = false;
     }
   }
-  write(options.output / "report.html", html_page(options.level, report));
+  try {
+    write(options.output / "report.html", html_page(options.level, report));
+  } catch (const std::exception& error) {
+    std::cerr << "patchgrip-verify: " << error.what() << "\n";
+    return 2;
+  }
   return is_fine ? 0 : 1;
 }

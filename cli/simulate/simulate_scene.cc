@@ -126,6 +126,8 @@ Course read_pressing(const TomlReader& scene, FrictionMethod method) {
     scene.refuse("normal_force", "used with a patch that keeps its size; that of a Hertz contact follows the force");
   if (patch != "point" && is_smooth_patch(method))
     scene.refuse("normal_force", fmt::format("not used by method = \"{}\" of a patch", name_of(method)));
+  if (method == FrictionMethod::half_freedom)  // its damping bounds one force
+    scene.refuse("normal_force", "not used by method = \"half_freedom\"");
   return read_course(table);
 }
 

@@ -10,7 +10,7 @@
 namespace patchgrip::grasp {
 namespace {
 
-constexpr double tolerance = 1e-8;
+constexpr double tolerance = 1e-6;
 
 struct Solved {
   InteriorPoint::Status status;
@@ -46,22 +46,24 @@ DrawnGrasp drawn(GraspDraws& draws, int contacts) {
   return g;
 }
 
-// Three to thirteen contacts, the soft linear ones of two parts under one cap. Rounding decides for some when 1e-8 can
-// not be reached.
+// Three to thirteen contacts, the soft linear ones of two parts under one cap.
 TEST(InteriorPoint, OfEveryProcessorIsTheSame) {
+  if (&interior_point_kernels() == &baseline_interior_point_kernels()) GTEST_SKIP() << "one code alone";
   GraspDraws draws(71);
-  int optimal = 0;
+  int optimal = 0, apart = 0;
   for (int i = 0; i < 110; ++i) {
     const DrawnGrasp g = drawn(draws, 3 + i % 11);
     for (const Objective objective : {Objective::max_force, Objective::load_factor}) {
       const Solved here = solve(interior_point_kernels(), g.made(), objective, g.load);
       const Solved anywhere = solve(baseline_interior_point_kernels(), g.made(), objective, g.load);
+      apart += here.status != anywhere.status ? 1 : 0;
       if (here.status != InteriorPoint::Status::optimal || here.status != anywhere.status) continue;
       ++optimal;
       EXPECT_NEAR(here.value, anywhere.value, 4 * tolerance * std::fabs(here.value)) << i;
     }
   }
   EXPECT_GE(optimal, 180);
+  EXPECT_LE(apart, 10);
 }
 
 // The least grip for a load is the inverse of the largest multiple of it under a unit limit.

@@ -38,6 +38,8 @@ CalculixResult run_calculix(const std::string& input) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  // It leaves files where it runs.
+  posix_spawn_file_actions_addchdir_np(&actions, stem.parent_path().c_str());
   pid_t child = 0;
   const int failed = posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);

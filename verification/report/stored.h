@@ -16,8 +16,7 @@ struct Reproduction {
   std::string report;  // a line for each quantity
 };
 
-// The bound is the sum of both errors of FE. Where versions, level and meshes are the same it is 1e-6 of the scale: the
-// order of sums in the solver of linear equations is all that may change.
+// The bound is the sum of both errors of FE: another processor may round a mesh into other elements.
 Reproduction reproduces(const StoredRun& fresh, const StoredRun& stored);
 
 }  // namespace patchgrip::verification
