@@ -35,7 +35,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
@@ -43,6 +42,7 @@
 #include <patchgrip/dynamics/planar_state.h>
 #include <patchgrip/dynamics/return_mapping.h>
 #include <patchgrip/dynamics/round_return_mapping.h>
+#include <patchgrip/dynamics/stage_energy.h>
 
 namespace patchgrip::dynamics {
 
@@ -127,7 +127,7 @@ class BristleBody {
     Vector3 deflection_rate() const { return twist - slip_rate; }
   };
 
-  static constexpr double g = 1 - 1 / std::numbers::sqrt2;  // gamma
+  static constexpr double g = sdirk2_gamma;
 
   bool is_rigid() const { return C_.isZero(0); }
 
@@ -201,32 +201,15 @@ class BristleBody {
       if (s.slips) r.state.anchor += w * s.slip_rate;
       r.slip += w * s.slip_rate;
       r.slips = r.slips || s.slips;
-      e.work += w * s.load.dot(s.twist);
-      e.slip += w * s.wrench.dot(s.slip_rate);
-      e.damping += w * s.deflection_rate().dot(D_.cwiseProduct(s.deflection_rate()));
+      add_stage_energy(e, w, s, D_);
     }
     if (is_rigid()) r.state.anchor = r.state.place;
     r.state.acceleration = stages[n - 1].acceleration;
     r.wrench = -stages[n - 1].wrench;
-    e.numerical = lost(h, stages);
+    e.numerical = numerical_loss(h, stages, M_, K_);
     r.state.work += e.work;
     r.state.dissipated += e.slip + e.damping + e.numerical;
     return r;
-  }
-
-  // By implicit Euler the energy of the changes; by SDIRK2 (gamma - 1/4) h^2 that of the difference of the rates: the
-  // matrix b_i a_ij + b_j a_ji - b_i b_j of the method is (gamma - 1/4) [1 -1; -1 1].
-  template <std::size_t n>
-  double lost(double h, const std::array<Stage, n>& s) const {
-    const auto energy = [&](const Vector3& a, const Vector3& rate) {
-      return h * h * (a.dot(M_.cwiseProduct(a)) + rate.dot(K_.cwiseProduct(rate))) / 2;
-    };
-    if constexpr (n == 1) {
-      return energy(s[0].acceleration, s[0].deflection_rate());
-    } else {
-      return (g - 0.25) *
-             energy(s[0].acceleration - s[1].acceleration, s[0].deflection_rate() - s[1].deflection_rate());
-    }
   }
 
   std::conditional_t<RoundAboutOrigin<P>, RoundReturnMapping<P>, ReturnMapping<P>> mapping_;

@@ -37,6 +37,7 @@
 
 #include <patchgrip/dynamics/bristle_body.h>
 #include <patchgrip/dynamics/return_mapping.h>
+#include <patchgrip/dynamics/stage_energy.h>
 
 namespace patchgrip::dynamics {
 
@@ -120,7 +121,7 @@ class StackedBodies {
     Vector6 deflection_rate() const { return relative_rate - slip_rate; }
   };
 
-  static constexpr double g = 1 - 1 / std::numbers::sqrt2;  // gamma of SDIRK2
+  static constexpr double g = sdirk2_gamma;
   static constexpr int most_sweeps = 20000;
 
   template <class R>
@@ -209,30 +210,14 @@ class StackedBodies {
         r.slips[static_cast<std::size_t>(which)] |= slips;
       }
       r.sweeps += s.sweeps;
-      e.work += w * s.load.dot(s.twist);
-      e.slip += w * s.wrench.dot(s.slip_rate);
-      e.damping += w * s.deflection_rate().dot(D_.cwiseProduct(s.deflection_rate()));
+      add_stage_energy(e, w, s, D_);
     }
     r.state.acceleration = stages[n - 1].acceleration;
     r.wrench = stages[n - 1].wrench;
-    e.numerical = lost(h, stages);
+    e.numerical = numerical_loss(h, stages, M_, K_);
     r.state.work += e.work;
     r.state.dissipated += e.slip + e.damping + e.numerical;
     return r;
-  }
-
-  // As in bristle_body.h.
-  template <std::size_t n>
-  double lost(double h, const std::array<Stage, n>& s) const {
-    const auto energy = [&](const Vector6& a, const Vector6& rate) {
-      return h * h * (a.dot(M_.cwiseProduct(a)) + rate.dot(K_.cwiseProduct(rate))) / 2;
-    };
-    if constexpr (n == 1) {
-      return energy(s[0].acceleration, s[0].deflection_rate());
-    } else {
-      return (g - 0.25) *
-             energy(s[0].acceleration - s[1].acceleration, s[0].deflection_rate() - s[1].deflection_rate());
-    }
   }
 
   ReturnMapping<P> ground_;

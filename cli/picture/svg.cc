@@ -7,28 +7,14 @@
 #include <iterator>
 #include <utility>
 
+#include <patchgrip/cli/picture/escaped.h>
+
 namespace patchgrip::cli {
 namespace {
 
 constexpr double mm_per_point = 25.4 / 72;
 
 int byte_of(double share) { return static_cast<int>(std::lround(255 * std::clamp(share, 0., 1.))); }
-
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&') {
-      safe += "&amp;";
-    } else if (c == '<') {
-      safe += "&lt;";
-    } else if (c == '>') {
-      safe += "&gt;";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
 
 // Markup to spans: the first bytes of a character of UTF-8 are not 10xxxxxx.
 std::string spans_of(std::string_view words) {

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include <patchgrip/cli/output_file.h>
+#include <patchgrip/cli/picture/escaped.h>
 #include <patchgrip/verification/claims/all_claims.h>
 #include <patchgrip/verification/report/figures.h>
 #include <patchgrip/verification/report/result_json.h>
@@ -13,21 +14,7 @@
 namespace patchgrip::verification {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&') {
-      safe += "&amp;";
-    } else if (c == '<') {
-      safe += "&lt;";
-    } else if (c == '>') {
-      safe += "&gt;";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
+using cli::escaped;
 
 std::string run_row(const Run& run) {
   return fmt::format("<tr><td>{:g}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td></tr>\n", run.setting.elements,

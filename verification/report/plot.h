@@ -9,7 +9,7 @@
 namespace patchgrip::verification {
 
 struct PlotAxis {
-  std::string label;  // with the markup of Svg::label
+  std::string label;
   double low, high;
   bool is_logarithmic = false;
 };
