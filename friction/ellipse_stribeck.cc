@@ -80,6 +80,11 @@ BoundedIntegrals<2> across(const Projection& q, double c, double k) noexcept {
   return sum;
 }
 
+// No point is slower. The pole is `level` / w semi-axes from the centre.
+double slowest(const PowerEllipse& zone, double speed, double w, double level) noexcept {
+  return std::max({speed - w * std::max(zone.a(), zone.b()), std::min(zone.a(), zone.b()) * (level - w), 0.0});
+}
+
 // See local_stribeck.h; x is the pole's place in semi-axes, u the largest speed.
 double rounding_of(const PowerEllipse& zone, const Projection& q, double x, double u) noexcept {
   const bool round = zone.a() == zone.b();
@@ -109,9 +114,11 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
   if (u.w == 0) return stribeck_excess(PointLoad{}, u);
   const bool round = a == b;
   if (round && zone.n() == -0.5) return stribeck_excess(Ring::of_radius(a), u);
+  const double w = std::fabs(u.w), length = std::max(a, b), speed = std::hypot(u.vx, u.vy);
+  const double level = std::hypot(u.vx / b, u.vy / a), least = slowest(zone, speed, w, level);
+  if (std::exp(-least * least) < unit) return {{}, unit, unit * length};
   const Projection q(zone.n());
-  const double w = std::fabs(u.w), length = std::max(a, b);
-  const double speed = std::hypot(u.vx, u.vy), ex = speed > 0 ? u.vx / speed : 1, ey = speed > 0 ? u.vy / speed : 0;
+  const double ex = speed > 0 ? u.vx / speed : 1, ey = speed > 0 ? u.vy / speed : 0;
   // n at the angle phi from u.
   const auto at = [&](double phi) -> ExcessParts {
     const double c = std::max(std::cos(phi), 0.0), s = std::sin(phi);
@@ -128,7 +135,7 @@ BoundedWrench stribeck_excess(const PowerEllipse& zone, const Twist& u) noexcept
   std::array<double, 6> cuts{-pi / 2, pi / 2, pi / 2, pi / 2, pi / 2, pi / 2};
   std::size_t count = 1;
   const auto angle = [&](double x, double y) { return std::atan2(ex * y - ey * x, ex * x + ey * y); };
-  const double level = std::hypot(u.vx / b, u.vy / a), theta_0 = std::atan2(ey / a, ex / b);
+  const double theta_0 = std::atan2(ey / a, ex / b);
   const double leaves = level > w ? std::atan2(std::sqrt((level - w) * (level + w)), w) : 0;
   for (const double theta : {-leaves, 0.0, leaves}) {
     cuts[count++] = round ? theta : angle(std::cos(theta_0 + theta) / b, std::sin(theta_0 + theta) / a);
