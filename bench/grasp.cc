@@ -134,7 +134,8 @@ double unpolished(const Instance& instance) {
   const std::vector<double> limits(instance.contacts.size(), 1);
   InteriorPoint point(grasp);
   point.start({&grasp, Objective::max_force, w / w.norm(), Vector6::Zero(), limits});
-  point.run(GripSettings{}.interior_tolerance, GripSettings{}.max_iterations);
+  constexpr double tolerance = 1e-8;
+  point.run(tolerance, tolerance, GripSettings{}.max_iterations);
   return w.norm() * point.value();
 }
 

@@ -58,18 +58,22 @@ void GripSolver::solve_conic() noexcept {
 }
 
 void GripSolver::solve_conic(double settled_gap) noexcept {
+  using Status = InteriorPoint::Status;
   interior_.start(problem_, settled_gap);
   const int before = effort_.iterations;
-  double tolerance = settings_.interior_tolerance;
-  for (int attempt = 0; attempt < 3; ++attempt, tolerance *= 1e-2) {
-    const InteriorPoint::Status status = interior_.run(tolerance, settings_.max_iterations);
-    effort_.iterations = before + interior_.iterations();
-    if (status == InteriorPoint::Status::infeasible) {
+  double tolerance = settings_.interior_tolerance / static_cast<double>(grasp_->contacts()), ray_tolerance = 0.1;
+  for (int attempt = 0; attempt < 5; ++attempt, tolerance *= 1e-2) {
+    Status status = Status::infeasible;
+    while (status == Status::infeasible && ray_tolerance > 1e-2 * tolerance) {
+      status = interior_.run(tolerance, ray_tolerance, settings_.max_iterations);
+      effort_.iterations = before + interior_.iterations();
+      if (status != Status::infeasible) break;
       bracket_.add_twist(interior_.twist());
       effort_.route = Route::ray;
       if (cannot()) return;
-      continue;
+      ray_tolerance *= 1e-2;
     }
+    if (status == Status::infeasible) continue;
     polish_.identify(problem_, interior_);
     polished_ = polish_.run(problem_, settings_.max_repairs);
     effort_.newton_steps += polish_.steps();
@@ -82,7 +86,7 @@ void GripSolver::solve_conic(double settled_gap) noexcept {
       effort_.route = Route::interior;
       return;
     }
-    if (status == InteriorPoint::Status::stalled) return;
+    if (status == Status::stalled) return;
   }
 }
 

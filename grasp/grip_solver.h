@@ -1,7 +1,8 @@
 // Solves one of the problems of grip_problem.h: interior point, polish, bracket.
 //
 //     range            what no contact resists of the load is a proof that it cannot be held
-//     interior point   to interior_tolerance, then again two digits further while the bracket stays open
+//     interior point   to interior_tolerance, then again two digits further while the bracket stays open; or until its
+//                      twist proves that the load cannot be held
 //     polish           Newton on the exact D, from what the interior point says slips, sticks and opens
 //     bracket          of the polished twist and forces; else of those of the interior point put into balance
 //     quadratic grip   where nothing was decided so far: it guesses nothing, and finds forces or a certificate close to

@@ -140,7 +140,7 @@ void InteriorPoint::renew_ellipsoids() noexcept {
   }
 }
 
-InteriorPoint::Status InteriorPoint::run(double tolerance, int max_iterations) noexcept {
+InteriorPoint::Status InteriorPoint::run(double tolerance, double ray_tolerance, int max_iterations) noexcept {
   if (balanced_) {
     for (std::size_t k = 0; k < cones_.size(); ++k) cones_[k].x = balanced_x_[k];
   }
@@ -157,7 +157,7 @@ InteriorPoint::Status InteriorPoint::run(double tolerance, int max_iterations) n
       return status;
     };
     if (gap_ < tolerance) return ended(Status::optimal);
-    if (ray_ < tolerance) return ended(Status::infeasible);
+    if (ray_ < ray_tolerance) return ended(Status::infeasible);
     if (!std::isfinite(gap_) || iterations_ >= max_iterations) return ended(Status::stalled);
     if (gap_ < 0.9 * best_) {
       best_ = gap_;

@@ -17,8 +17,10 @@
 // slip: of friction coefficients over decades one optimum in twenty is missed with 1e-2 that 1e-4 finds, in nearly
 // twice the time. polish.h and bracket.h do not rely on it.
 //
-// Status   optimal, or infeasible (max_force, total_force: the twist is a ray with all rho_i <= 0), to the tolerance; or
-//          stalled: normal equations give about 1e-9 and no more. The iterates stay valid, and run() goes on from them.
+// Status   optimal, to the tolerance; infeasible (max_force, total_force), to that of rays: the twist is a ray on which
+//          all rho_i <= 0 of the ellipsoids, and long before it is one to many digits those of the exact D are below 0;
+//          or stalled: normal equations give about 1e-9 and no more. The iterates stay valid, and run() goes on from
+//          them.
 // Memory   allocated by the constructor; nothing after.
 #pragma once
 
@@ -38,7 +40,7 @@ class InteriorPoint {
 
   // Afresh; `problem` must be of the same grasp.
   void start(const GripProblem& problem, double settled_gap = 1e-4) noexcept;
-  Status run(double tolerance, int max_iterations) noexcept;
+  Status run(double tolerance, double ray_tolerance, int max_iterations) noexcept;
 
   // Moves the forces into balance, in the metric of the present scaling. run() goes on from where they were.
   bool balance() noexcept;

@@ -85,15 +85,16 @@ LinearisedGrip linearised_least_grip(const std::vector<Contact>& contacts, const
   interior.start(problem);
   std::vector<PartForce> forces(grasp.parts().size());
   // Step by step: where few edges bear, the matrix of the twist becomes singular before the tolerance is met.
+  constexpr double width = 1e-8;
   for (const double share : {1e2, 3e1, 1e1, 3., 1., 0.3, 0.1}) {
-    const double tolerance = share * settings.interior_tolerance;
-    const InteriorPoint::Status status = interior.run(tolerance, settings.max_iterations);
+    const double tolerance = share * width;
+    const InteriorPoint::Status status = interior.run(tolerance, tolerance, settings.max_iterations);
     bracket.add_twist(interior.twist());
     if (status == InteriorPoint::Status::infeasible || bracket.lower() > settings.force_limit) break;
     if (!interior.balance()) break;
     for (std::size_t i = 0; i < forces.size(); ++i) forces[i].force = std::max(interior.part(i).force, 0.0);
     bracket.add_forces(forces, interior.value());
-    if (status == InteriorPoint::Status::stalled || bracket.width() < settings.interior_tolerance) break;
+    if (status == InteriorPoint::Status::stalled || bracket.width() < width) break;
   }
 
   answer.lower = size * bracket.lower();

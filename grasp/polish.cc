@@ -22,6 +22,7 @@ Polish::Polish(const ScaledGrasp& grasp)
 
 void Polish::identify(const GripProblem& problem, const InteriorPoint& point) noexcept {
   steps_ = repairs_ = 0;
+  reusable_ = false;
   W_ = point.twist();
   s_ = point.value();
   double x = 0, z = 0;
@@ -57,6 +58,8 @@ void Polish::identify(const GripProblem& problem, const InteriorPoint& point) no
 
 void Polish::restart(const Vector6& twist, double value) noexcept {
   steps_ = repairs_ = 0;
+  reusable_ = true;
+  displaced_ = false;
   W_ = twist;
   s_ = value;
   for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].v = grasp_->parts()[i].element.sliding(W_);
@@ -79,20 +82,26 @@ void Polish::pin_forces(const GripProblem& problem) noexcept {
   }
 }
 
-bool Polish::assemble(const GripProblem& problem) noexcept {
+// Where each unknown stands; false if there are too many.
+bool Polish::arrange(const GripProblem& problem) noexcept {
   pin_forces(problem);
-  const Eigen::Index base = problem.limited() ? 7 : 6;
-  Eigen::Index count = base;
+  count_ = problem.limited() ? 7 : 6;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Element& element = grasp_->parts()[i].element;
-    work_[i].unknown = count;
+    work_[i].unknown = count_;
     if (!parts_[i].active) continue;
-    if (!work_[i].pinned) ++count;
-    if (slides(element) && parts_[i].slide == Slide::sticks) count += element.size();
-    if (count > capacity) return false;
+    if (!work_[i].pinned) ++count_;
+    if (slides(element) && parts_[i].slide == Slide::sticks) count_ += element.size();
+    if (count_ > capacity) return false;
   }
-  K_.setZero(count, count);
-  residual_.setZero(count);
+  return true;
+}
+
+// The residual, and K if asked for; false where a Hessian is infinite.
+bool Polish::assemble(const GripProblem& problem, bool with_matrix) noexcept {
+  if (!arrange(problem)) return false;
+  if (with_matrix) K_.setZero(count_, count_);
+  residual_.setZero(count_);
   Vector6 balance = problem.load;
   Matrix6 H = Matrix6::Zero();
   Vector6 border = Vector6::Zero();
@@ -108,25 +117,31 @@ bool Polish::assemble(const GripProblem& problem) noexcept {
     balance -= metric.cwiseProduct(W_);
   }
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    PartState& state = parts_[i];
+    const PartState& state = parts_[i];
     Work& work = work_[i];
     if (!state.active) continue;
     const Element& element = grasp_->parts()[i].element;
     const double F = state.force;
     work.g = element.N();
     if (slides(element) && state.slide == Slide::slips) {
-      Derivatives d;
-      if (!element.derivatives(state.v, d)) return false;
-      work.gradient = d.gradient;
-      work.g.noalias() -= element.mu() * (element.T() * d.gradient);
-      const Eigen::Matrix<double, 6, 3> TH = (element.mu() * F) * (element.T() * d.hessian);
-      H.noalias() -= TH * element.T().transpose();
-      balance.noalias() -= TH * (element.sliding(W_) - state.v);
+      if (with_matrix) {
+        Derivatives d;
+        if (!element.derivatives(state.v, d)) return false;
+        work.gradient = d.gradient;
+        const Eigen::Matrix<double, 6, 3> TH = (element.mu() * F) * (element.T() * d.hessian);
+        H.noalias() -= TH * element.T().transpose();
+        balance.noalias() -= TH * (element.sliding(W_) - state.v);
+      } else {
+        work.gradient = element.gradient(state.v);
+      }
+      work.g.noalias() -= element.mu() * (element.T() * work.gradient);
     } else if (slides(element)) {
       const Eigen::Index at = work.unknown + (work.pinned ? 0 : 1);
       const auto T = element.T().middleCols(element.first(), element.size());
-      K_.block(0, at, 6, element.size()) = T;
-      K_.block(at, 0, element.size(), 6) = T.transpose();
+      if (with_matrix) {
+        K_.block(0, at, 6, element.size()) = T;
+        K_.block(at, 0, element.size(), 6) = T.transpose();
+      }
       residual_.segment(at, element.size()) = T.transpose() * W_;
       balance.noalias() += element.T() * state.friction;
     }
@@ -143,49 +158,55 @@ bool Polish::assemble(const GripProblem& problem) noexcept {
     const bool relative = capped_[grasp_->parts()[i].contact] != 0;  // to the pinned part, which is the next
     const Vector6 g = relative ? Vector6(work_[i].g - work_[i + 1].g) : work_[i].g;
     const Eigen::Index at = work_[i].unknown;
-    K_.block<6, 1>(0, at) = g;
-    K_.block<1, 6>(at, 0) = g.transpose();
+    if (with_matrix) {
+      K_.block<6, 1>(0, at) = g;
+      K_.block<1, 6>(at, 0) = g.transpose();
+    }
     residual_[at] = g.dot(W_) + (relative ? 0 : one);
   }
+  residual_.head<6>() = balance;
+  if (problem.limited()) residual_[6] = border_residual;
+  if (!with_matrix) return true;
   if (problem.objective != Objective::distance) {
     H -= std::max(1.0, H.diagonal().cwiseAbs().maxCoeff()) * grasp_->unresisted();
   }
   K_.topLeftCorner<6, 6>() = H;
-  residual_.head<6>() = balance;
   if (problem.limited()) {
     K_.block<6, 1>(0, 6) = border;
     K_.block<1, 6>(6, 0) = border.transpose();
-    residual_[6] = border_residual;
   }
   return true;
 }
 
-// K step = -residual, rows and columns made alike in size first.
-bool Polish::solve() noexcept {
-  const Eigen::Index n = K_.rows();
+// Rows and columns of K made alike in size first.
+void Polish::factor() noexcept {
+  const Eigen::Index n = count_;
   scale_.setOnes(n);
+  right_.resize(n);
   for (int pass = 0; pass < 3; ++pass) {
     for (Eigen::Index i = 0; i < n; ++i) {
       const double largest = scale_[i] * K_.col(i).cwiseAbs().cwiseProduct(scale_).maxCoeff();
-      right_.resize(n);
       right_[i] = largest > 0 ? 1 / std::sqrt(largest) : 1;
     }
     scale_ = scale_.cwiseProduct(right_).eval();
   }
   scaled_ = scale_.asDiagonal() * K_ * scale_.asDiagonal();
-  right_ = -scale_.cwiseProduct(residual_);
-  const auto solve_refined = [&](const auto& lu) {
-    step_ = lu.solve(right_);
-    right_ -= scaled_ * step_;
-    step_ += lu.solve(right_);
-  };
   regular_.compute(scaled_);
-  if (regular_.matrixLU().diagonal().cwiseAbs().minCoeff() > 1e-8) {
-    solve_refined(regular_);
+  is_regular_ = regular_.matrixLU().diagonal().cwiseAbs().minCoeff() > 1e-8;
+  if (is_regular_) return;
+  singular_.setThreshold(1e-13);
+  singular_.compute(scaled_);
+}
+
+// K step = -residual; the next step takes what rounding leaves of it.
+bool Polish::solve() noexcept {
+  right_ = -scale_.cwiseProduct(residual_);
+  if (is_regular_) {
+    step_ = regular_.solve(right_);
   } else {
-    singular_.setThreshold(1e-13);
-    singular_.compute(scaled_);
-    solve_refined(singular_);
+    step_ = singular_.solve(right_);
+    right_ -= scaled_ * step_;
+    step_ += singular_.solve(right_);
   }
   step_ = scale_.cwiseProduct(step_).eval();
   return step_.allFinite();
@@ -193,6 +214,7 @@ bool Polish::solve() noexcept {
 
 // Takes the step; change_ becomes its relative size.
 void Polish::update(const GripProblem& problem) noexcept {
+  displaced_ = false;
   double force_change = 0, force_size = 0;
   const double before = s_, size_before = W_.norm();
   W_ += step_.head<6>();
@@ -224,21 +246,28 @@ void Polish::update(const GripProblem& problem) noexcept {
     // Never through the apex: there the slip, and with it the gradient, turns round.
     const bool reversed = work_[i].gradient.dot(v) <= 0;
     state.v = reversed ? Vector3(0.1 * state.v) : v;
+    displaced_ |= reversed;
   }
   change_ = std::max(step_.head<6>().norm() / std::min(size_before, W_.norm()),
                      force_change / (force_size > 0 ? force_size : 1));
 }
 
-// Relative size of the last step.
+// Relative size of the last step. K is used again where it is good for four digits a step.
 double Polish::newton(const GripProblem& problem, int max_steps) noexcept {
+  constexpr double contracts_well = 1e-4, rounding = 0x1p-53;
   double before = 1;
   for (int k = 0; k < max_steps; ++k) {
-    if (!assemble(problem) || !solve()) return std::numeric_limits<double>::infinity();
+    const bool again = reusable_ && !displaced_;
+    if (!assemble(problem, !again)) return std::numeric_limits<double>::infinity();
+    if (!again) factor();
+    if (!solve()) return std::numeric_limits<double>::infinity();
     update(problem);
     ++steps_;
     if (!(change_ < 10)) return change_;
-    // What is left after a step is the square of its size, as that of the one before has shown.
-    if (change_ * (change_ / before) * (change_ / before) < 1e-17 || (change_ < 1e-10 && change_ > 0.3 * before)) break;
+    // By what the next step with this K is smaller: as this one was, or, with a new K, by the square.
+    const double ratio = change_ / before, contraction = again || k == 0 ? ratio : ratio * ratio;
+    if (change_ * contraction < rounding || (change_ < 1e-10 && ratio > 0.3)) break;
+    reusable_ = contraction < contracts_well;
     before = change_;
   }
   pin_forces(problem);
@@ -328,7 +357,10 @@ bool Polish::repair(const GripProblem& problem, bool only_worst) noexcept {
   for (std::size_t c = 0; c < capped_.size(); ++c) {
     if (sum_[c] == 0) capped_[c] = 0;
   }
-  if (any) ++repairs_;
+  if (any) {
+    ++repairs_;
+    reusable_ = false;
+  }
   return any;
 }
 

@@ -6,7 +6,7 @@
 //     F_i        free: rho_i(W) = 0 (total_force: 1);  at its cap: F_i = c_i s, rho_i >= 0;  open: F_i = 0, rho_i <= 0
 //     and        sum c_i rho_i+ = 1 (max_force), w_1 . W = 1 (load_factor), M W = balance (distance)
 //
-// The matrix is symmetric, of size 6 (7) + one for each free force + the friction components that stick. Where forces
+// From the last problem's solution the first step is taken with the last problem's matrix. The matrix is symmetric, of size 6 (7) + one for each free force + the friction components that stick. Where forces
 // or twist are not unique it is singular but solvable: complete pivoting leaves what it does not determine as it was.
 // After convergence wrong signs change the guess, and it starts again.
 //
@@ -70,7 +70,9 @@ class Polish {
   struct Change;
 
   double cap(const GripProblem& problem, std::size_t contact) const noexcept;
-  bool assemble(const GripProblem& problem) noexcept;
+  bool arrange(const GripProblem& problem) noexcept;
+  bool assemble(const GripProblem& problem, bool with_matrix) noexcept;
+  void factor() noexcept;
   bool solve() noexcept;
   void update(const GripProblem& problem) noexcept;
   void pin_forces(const GripProblem& problem) noexcept;
@@ -90,6 +92,10 @@ class Polish {
   Column residual_, step_, scale_, right_;
   Eigen::PartialPivLU<System> regular_;
   Eigen::FullPivLU<System> singular_;
+  Eigen::Index count_ = 0;  // of unknowns
+  bool is_regular_ = true;
+  bool reusable_ = false;   // K is that of the same unknowns, near enough
+  bool displaced_ = false;  // some part is linearised elsewhere than at its own slip
   double change_ = 0;
 };
 

@@ -26,7 +26,7 @@ Solved solve(const InteriorPointKernels& kernels, const std::vector<Contact>& co
   const Vector6 step = factored ? Vector6(w / w.norm()) : Vector6::Zero();
   InteriorPoint point(grasp, kernels);
   point.start({&grasp, objective, factored ? Vector6::Zero() : Vector6(w / w.norm()), step, limits});
-  const InteriorPoint::Status status = point.run(tolerance, 100);
+  const InteriorPoint::Status status = point.run(tolerance, tolerance, 100);
   return {status, factored ? point.value() / w.norm() : point.value() * w.norm()};
 }
 
