@@ -140,6 +140,19 @@ bool Bracket::add_forces(std::span<const PartForce> forces, double value) noexce
   return true;
 }
 
+void Bracket::add_extended(double lower, const Vector6& W, std::span<const PartForce> forces, double upper,
+                           double residual) noexcept {
+  steepest_ = std::max(steepest_, W.norm());
+  if (lower > lower_) {
+    lower_ = lower;
+    twist_ = W;
+  }
+  if (!(upper + residual * steepest_ < this->upper())) return;
+  upper_ = upper;
+  residual_ = residual;
+  std::ranges::copy(forces, forces_.begin());
+}
+
 double Bracket::upper() const noexcept {
   const bool charge = problem_.objective == Objective::max_force || problem_.objective == Objective::total_force;
   return charge && upper_ < infinity ? upper_ + residual_ * steepest_ : upper_;

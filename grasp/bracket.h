@@ -32,6 +32,10 @@ class Bracket {
   // `value` is lambda of load_factor. False where the forces do not balance at all.
   bool add_forces(std::span<const PartForce> forces, double value) noexcept;
 
+  // Bounds that were evaluated in more digits, those of the forces without the charge for what is left, `residual`.
+  void add_extended(double lower, const Vector6& W, std::span<const PartForce> forces, double upper,
+                    double residual) noexcept;
+
   double lower() const noexcept { return lower_; }
   double upper() const noexcept;                            // infinite if no forces were found
   double charged() const noexcept;                          // share of the residual in the bound of the forces

@@ -33,11 +33,14 @@ class Contact {
  public:
   Contact(const ContactFrame& frame, FrictionCone cone);
 
-  const Vector3& position() const noexcept { return r_; }
+  const Vector3& position() const noexcept { return frame_.position; }
   const Vector3& normal() const noexcept { return n_; }
   const Vector3& u() const noexcept { return u_; }
   const Vector3& v() const noexcept { return v_; }
   const FrictionCone& cone() const noexcept { return cone_; }
+
+  // (u, v, n) as columns, of the frame that was given: normalised to the digits of long double.
+  Eigen::Matrix<long double, 3, 3> extended_axes() const noexcept;
 
   // Wrench on the object.
   Vector6 wrench(double normal_force, const Vector3& friction) const noexcept;
@@ -47,7 +50,8 @@ class Contact {
   double opening(const Vector6& twist) const noexcept;
 
  private:
-  Vector3 r_, n_, u_, v_;
+  ContactFrame frame_;
+  Vector3 n_, u_, v_;
   FrictionCone cone_;
 };
 

@@ -16,6 +16,7 @@ constexpr double unit = 0x1p-53;
 
 Element::Element(Kind kind, const Contact& contact, const Vector3& position, double length)
     : kind_(kind),
+      contact_(&contact),
       mu_(kind == Kind::normal ? 0 : contact.cone().mu()),
       e_(contact.cone().moment_length() / length),
       inverse_length_(1 / length) {

@@ -38,6 +38,7 @@ class Element {
   static Element ray(const Contact& contact, const Vector3& position, double length, const Vector3& t);
 
   Kind kind() const noexcept { return kind_; }
+  const Contact& contact() const noexcept { return *contact_; }
   double mu() const noexcept { return mu_; }
   double moment_length() const noexcept { return e_; }
   const Matrix64& G() const noexcept { return G_; }
@@ -72,6 +73,7 @@ class Element {
   Vector3 scaled(const friction::Wrench& t) const noexcept { return {t.fx, t.fy, t.m * inverse_length_}; }
 
   Kind kind_;
+  const Contact* contact_;
   double mu_;
   double e_;               // moment length / L
   double inverse_length_;  // 1 / L

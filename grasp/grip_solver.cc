@@ -9,6 +9,7 @@ GripSolver::GripSolver(const ScaledGrasp& grasp, const GripSettings& settings)
       settings_(settings),
       interior_(grasp),
       polish_(grasp),
+      extended_(grasp),
       quadratic_(grasp),
       bracket_(grasp),
       forces_(grasp.parts().size()) {}
@@ -45,6 +46,7 @@ void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
   }
   solve_conic();
   const bool sized = problem.objective == Objective::max_force || problem.objective == Objective::total_force;
+  if (sized && !closed() && !cannot()) bracket_extended();
   if (sized && !decided()) bracket_quadratic();
 }
 
@@ -121,6 +123,11 @@ void GripSolver::bracket_polish() noexcept {
     }
   }
   bracket_.add_forces(forces_, polish_.value());
+}
+
+void GripSolver::bracket_extended() noexcept {
+  if (effort_.newton_steps == 0) return;  // there are no states to refine
+  if (extended_.run(problem_, polish_, bracket_)) effort_.route = Route::extended;
 }
 
 void GripSolver::bracket_quadratic() noexcept {

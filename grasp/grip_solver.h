@@ -5,6 +5,7 @@
 //                      twist proves that the load cannot be held
 //     polish           Newton on the exact D, from what the interior point says slips, sticks and opens
 //     bracket          of the polished twist and forces; else of those of the interior point put into balance
+//     64 bits          where the bracket is still open and the contacts are points and soft fingers (extended_polish.h)
 //     quadratic grip   where nothing was decided so far: it guesses nothing, and finds forces or a certificate close to
 //                      the boundary of what can be held (quadratic_grip.h)
 //
@@ -14,6 +15,7 @@
 #pragma once
 
 #include <patchgrip/grasp/bracket.h>
+#include <patchgrip/grasp/extended_polish.h>
 #include <patchgrip/grasp/grip_settings.h>
 #include <patchgrip/grasp/interior_point.h>
 #include <patchgrip/grasp/polish.h>
@@ -22,7 +24,7 @@
 namespace patchgrip::grasp {
 
 // What closed the bracket, or was done last.
-enum class Route { no_load, range, ray, warm, polished, interior, quadratic };
+enum class Route { no_load, range, ray, warm, polished, interior, extended, quadratic };
 
 struct Effort {
   Route route = Route::interior;
@@ -53,6 +55,7 @@ class GripSolver {
   void solve_conic(double settled_gap) noexcept;
   void bracket_polish() noexcept;
   void bracket_interior() noexcept;
+  void bracket_extended() noexcept;
   void bracket_quadratic() noexcept;
   bool decided() const noexcept;
 
@@ -61,6 +64,7 @@ class GripSolver {
   GripProblem problem_{};
   InteriorPoint interior_;
   Polish polish_;
+  ExtendedPolish extended_;
   QuadraticGrip quadratic_;
   Bracket bracket_;
   Effort effort_;

@@ -212,6 +212,18 @@ bool Polish::solve() noexcept {
   return step_.allFinite();
 }
 
+bool Polish::factor(const GripProblem& problem) noexcept {
+  if (!assemble(problem, true)) return false;
+  factor();
+  return true;
+}
+
+const Polish::Column& Polish::step(const Column& residual) noexcept {
+  residual_ = residual;
+  solve();
+  return step_;
+}
+
 // Takes the step; change_ becomes its relative size.
 void Polish::update(const GripProblem& problem) noexcept {
   displaced_ = false;

@@ -50,6 +50,16 @@ class Polish {
   const std::vector<PartState>& parts() const noexcept { return parts_; }
   bool is_capped(std::size_t contact) const noexcept { return capped_[contact] != 0; }
 
+  // Newton's matrix at the present states, for what refines them further (extended_polish.h); false where it is infinite.
+  bool factor(const GripProblem& problem) noexcept;
+  // Its unknowns: W, s if `limited`, then of each active part F, unless pinned by the cap, and the friction that sticks.
+  Eigen::Index unknowns() const noexcept { return count_; }
+  Eigen::Index unknown(std::size_t part) const noexcept { return work_[part].unknown; }
+  bool is_pinned(std::size_t part) const noexcept { return work_[part].pinned; }
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, capacity, 1>;
+  // The step that takes away a residual; not finite where there is none.
+  const Column& step(const Column& residual) noexcept;
+
   int steps() const noexcept { return steps_; }
   int repairs() const noexcept { return repairs_; }
 
@@ -58,7 +68,6 @@ class Polish {
 
  private:
   using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, capacity, capacity>;
-  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, capacity, 1>;
 
   struct Work {
     Eigen::Index unknown = -1;  // column of F and, after it, of the friction that sticks

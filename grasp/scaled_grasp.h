@@ -39,8 +39,9 @@ class ScaledGrasp {
   const std::vector<Part>& parts() const noexcept { return parts_; }
   std::size_t contacts() const noexcept { return contacts_; }
 
-  double length() const noexcept { return length_; }      // L
-  double rounding() const noexcept { return rounding_; }  // relative, of the scaled data
+  double length() const noexcept { return length_; }          // L
+  const Vector3& centre() const noexcept { return centre_; }  // moments are about it
+  double rounding() const noexcept { return rounding_; }      // relative, of the scaled data
 
   int rank() const noexcept { return rank_; }
   const Matrix6& to_range() const noexcept { return P_; }       // P; columns beyond the rank are 0

@@ -259,7 +259,8 @@ inline DrawnGrasp GraspDraws::deficient() {
 inline DrawnGrasp GraspDraws::not_closed() {
   DrawnGrasp g;
   const Matrix3 Q = Eigen::Quaterniond(normal(), normal(), normal(), normal()).normalized().toRotationMatrix();
-  const Vector3 shift = 0.02 * vector();
+  // Beside the origin moments are rounded.
+  const Vector3 shift = chance(0.5) ? Vector3(0.02 * vector()) : Vector3(Vector3::Zero());
   g.delta = fixed_delta > 0 ? fixed_delta : std::pow(10., -uniform(1, 6));
   DrawnContact a = contact();
   a.model = DrawnContact::Model::point;
