@@ -181,8 +181,9 @@ void Grasp::report_contacts(const ScaledGrasp& grasp, std::span<const PartForce>
     a.normal_force += size * x.force;
     a.friction += size * Vector3(x.friction[0], x.friction[1], grasp.length() * x.friction[2]);
     if (x.force > 0) a.state = std::max(a.state, x.on_surface ? ContactState::slips : ContactState::sticks);
-    a.dissipation = std::max(a.dissipation, pace * part.element.dissipation(part.element.sliding(W)).value);
-    const double rho = pace * part.element.resistance(W, 0).value;
+    const double D = part.element.dissipation(part.element.sliding(W)).value;
+    a.dissipation = std::max(a.dissipation, pace * D);
+    const double rho = pace * (part.element.mu() * D - part.element.N().dot(W));
     a.resistance = first ? rho : std::max(a.resistance, rho);
   }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {

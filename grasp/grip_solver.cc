@@ -77,11 +77,8 @@ void GripSolver::solve_conic(double settled_gap) noexcept {
     }
     if (status == Status::infeasible) continue;
     polish_.identify(problem_, interior_);
-    polished_ = polish_.run(problem_, settings_.max_repairs);
-    effort_.newton_steps += polish_.steps();
-    effort_.repairs += polish_.repairs();
     effort_.route = Route::polished;
-    bracket_polish();
+    polish(settings_.max_repairs);
     if (closed()) return;
     bracket_interior();
     if (closed()) {
@@ -92,12 +89,22 @@ void GripSolver::solve_conic(double settled_gap) noexcept {
   }
 }
 
+// A bracket that closes is the best proof that the guess was right.
+void GripSolver::polish(int max_repairs) noexcept {
+  polished_ = polish_.converge(problem_);
+  bracket_polish();
+  if (polished_ && !closed()) {
+    polished_ = polish_.run(problem_, max_repairs);
+    if (polish_.repairs() > 0) bracket_polish();
+  }
+  effort_.newton_steps += polish_.steps();
+  effort_.repairs += polish_.repairs();
+}
+
 bool GripSolver::try_warm() noexcept {
   polish_.restart(polish_.twist(), polish_.value());
-  if (polish_.run(problem_, 4)) bracket_polish();
-  effort_.newton_steps = polish_.steps();
-  effort_.repairs = polish_.repairs();
   effort_.route = Route::warm;
+  polish(4);
   if (closed()) return true;
   bracket_.reset(problem_);
   return false;

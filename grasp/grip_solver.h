@@ -51,6 +51,7 @@ class GripSolver {
   bool closed() const noexcept { return bracket_.width() <= settings_.relative_width; }
   bool cannot() const noexcept;
   bool try_warm() noexcept;
+  void polish(int max_repairs) noexcept;
   void solve_conic() noexcept;
   void solve_conic(double settled_gap) noexcept;
   void bracket_polish() noexcept;

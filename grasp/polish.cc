@@ -270,9 +270,10 @@ double Polish::newton(const GripProblem& problem, int max_steps) noexcept {
   double before = 1;
   for (int k = 0; k < max_steps; ++k) {
     const bool again = reusable_ && !displaced_;
-    if (!assemble(problem, !again)) return std::numeric_limits<double>::infinity();
+    change_ = std::numeric_limits<double>::infinity();
+    if (!assemble(problem, !again)) return change_;
     if (!again) factor();
-    if (!solve()) return std::numeric_limits<double>::infinity();
+    if (!solve()) return change_;
     update(problem);
     ++steps_;
     if (!(change_ < 10)) return change_;
@@ -376,14 +377,14 @@ bool Polish::repair(const GripProblem& problem, bool only_worst) noexcept {
   return any;
 }
 
+bool Polish::converge(const GripProblem& problem) noexcept { return newton(problem, 8) < 10; }
+
 bool Polish::run(const GripProblem& problem, int max_rounds) noexcept {
   for (int round = 0; round < max_rounds; ++round) {
-    const double change = newton(problem, 8);
-    if (!(change < 10)) return false;
-    const bool repaired = repair(problem, round > 3);
-    if (!repaired && change < 1e-8) return true;
+    if (!repair(problem, round > 3)) return change_ < 1e-8;
+    if (!converge(problem)) return false;
   }
-  return false;
+  return !repair(problem, true) && change_ < 1e-8;
 }
 
 }  // namespace patchgrip::grasp

@@ -42,7 +42,11 @@ class Polish {
   // The guess that the interior point suggests.
   void identify(const GripProblem& problem, const InteriorPoint& point) noexcept;
 
-  // True if it converged with all signs right. W, value and states are what it came to in any case.
+  // Newton's method with the guess as it is; false if it did not come near a solution. W, value and states are what it
+  // came to in any case, here and below.
+  bool converge(const GripProblem& problem) noexcept;
+
+  // Then changes the guess until all signs are right, at most so often; true if they are and it converged.
   bool run(const GripProblem& problem, int max_rounds) noexcept;
 
   const Vector6& twist() const noexcept { return W_; }
