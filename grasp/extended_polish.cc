@@ -9,7 +9,7 @@ namespace patchgrip::grasp {
 ExtendedPolish::ExtendedPolish(const ScaledGrasp& grasp)
     : grasp_(&grasp), sum_(grasp.contacts()), most_(grasp.contacts()), forces_(grasp.parts().size()) {
   for (const ScaledGrasp::Part& part : grasp.parts()) has_patches_ |= part.element.kind() == Element::Kind::patch;
-  if (!has_patches_) parts_.resize(grasp.parts().size());
+  if (!has_patches_) parts_.reserve(grasp.parts().size());  // seldom written to
 }
 
 bool ExtendedPolish::applies(const GripProblem& problem) noexcept {
@@ -31,6 +31,7 @@ bool ExtendedPolish::applies(const GripProblem& problem) noexcept {
 }
 
 void ExtendedPolish::set_columns() noexcept {
+  parts_.resize(grasp_->parts().size());
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const Element& element = grasp_->parts()[i].element;
     const Eigen::Matrix<Long, 3, 3> uvn = element.contact().extended_axes();
