@@ -22,7 +22,10 @@ using Stretched = Trajectory<10>;
 constexpr double at_rest = 1e-17;       // of rho to its largest
 constexpr double first_motion = 1e-12;  // [s] after a jump that starts the body
 
-Wrench wrench(const Vector3& f) { return {f[0], f[1], f[2]}; }
+// What the patch as given feels of a wrench and a twist of one `size` times as large.
+Wrench shrunk(const Vector3& f, double size) { return {f[0], f[1], f[2] / size}; }
+Twist grown(const Vector3& v, double size) { return {v[0], v[1], size * v[2]}; }
+
 Vector3 vector(const Twist& v) { return {v.vx, v.vy, v.w}; }
 
 // Between axes of space and those of the patch, which has turned by `angle`.
@@ -73,7 +76,17 @@ class Motion {
   double normal_force(double t) const { return contact::require_non_negative("normal_force", load_.normal_force(t)); }
   double limit(double t) const { return law_.mu_static * normal_force(t); }
 
-  Gauge gauge(double t) const { return patch_.gauge(wrench(turned(force(t), -state_.place[2]))); }
+  double size(double t) const {
+    return load_.size && normal_force(t) > 0 ? contact::require_positive("size", load_.size(t)) : 1;
+  }
+
+  // Its twist that of the patch as it is then.
+  Gauge gauge(double t) const {
+    const double ratio = size(t);
+    Gauge g = patch_.gauge(shrunk(turned(force(t), -state_.place[2]), ratio));
+    g.twist.w /= ratio;
+    return g;
+  }
   double excess(double t) const { return gauge(t).value - limit(t); }
 
   // The end of the smooth piece that t lies in.
@@ -114,17 +127,19 @@ class Motion {
   }
 
   void note(SlipEvent::Kind kind, const Vector3& direction) {
-    const Twist v{direction[0], direction[1], direction[2]};
-    const double D = friction::power(patch_.gradient(v).value, v);
-    events_.push_back({kind, t_, {v.vx / D, v.vy / D, v.w / D}, state_, 0});
+    const Twist own = grown(direction, size(t_));
+    const Vector3 v = direction / friction::power(patch_.gradient(own).value, own);
+    events_.push_back({kind, t_, {v[0], v[1], v[2]}, state_, 0});
     if (settings_.on_event) settings_.on_event(events_.back());
   }
 
   // The load is beyond the limit: a finite acceleration.
   void start_at_jump() {
     const Vector3 f = turned(force(t_), -state_.place[2]);
-    const Returned r = patch_.closest(wrench(f), limit(t_), BristleMetric(Matrix3(mass_.asDiagonal())));
-    const Vector3 a = vector(r.slip);
+    const double ratio = size(t_);
+    const auto metric = BristleMetric::diagonal(mass_[0], mass_[1], mass_[2] / (ratio * ratio));
+    Vector3 a = vector(patch_.closest(shrunk(f, ratio), limit(t_), metric).slip);
+    a[2] /= ratio;
     note(SlipEvent::Kind::break_away, a);
     state_.twist = turned(first_motion * a, state_.place[2]);
   }
@@ -151,10 +166,10 @@ class Motion {
   // G
   Vector3 push(double t, const Vector3& v, double angle) {
     ++evaluations_;
-    const Vector3 own = turned(v, -angle);
-    const Twist u{own[0], own[1], own[2]};
+    const double ratio = size(t);
+    const Twist u = grown(turned(v, -angle), ratio);
     const Wrench r = friction::friction_wrench(law_, normal_force(t), patch_.moments, patch_.gradient(u), u).value;
-    return (force(t) + turned({r.fx, r.fy, r.m}, angle)).cwiseQuotient(root_);
+    return (force(t) + turned({r.fx, r.fy, ratio * r.m}, angle)).cwiseQuotient(root_);
   }
 
   void slip() {
@@ -166,8 +181,8 @@ class Motion {
     const auto twist = [&](const Stretched::State& y) {
       return Vector3(size * std::exp(y[3]) * Vector3(y[0], y[1], y[2]).normalized().cwiseQuotient(root_));
     };
-    // Seconds of stretched time: of the order of rho / |G| at the start.
-    const double scale = size / std::max(push(t_, state_.twist, state_.place[2]).norm(), 1e-300);
+    // Seconds of stretched time: of the order of rho / |G| at the start, or all that is left where nothing acts.
+    const double scale = std::min(size / push(t_, state_.twist, state_.place[2]).norm(), end - origin);
     Stretched motion(
         [&](double, const Stretched::State& y, Stretched::State& dy) {
           const Vector3 v = twist(y), unit = Vector3(y[0], y[1], y[2]).normalized();

@@ -11,7 +11,8 @@
 // is regular through the stop: rho falls exponentially, t converges, n tends to the pole of the stop, for a puck the
 // root of f(x) = q x m(x).
 //
-// Patch        under the centre of mass; turns with the body.
+// Patch        under the centre of mass; turns with the body, and may grow with its load: where its lengths are `size`
+//              times those given, it is followed as the one given at (vx, vy, size w), which carries (f, m / size).
 // Break-away   the root of g(f(t)) - mu_s F_N(t), bracketed by samples `longest_step` apart. At a jump of the load the
 //              body leaves with the acceleration a = argmin a . M a / 2 + D(a) mu_s F_N - f . a, the return mapping in
 //              the metric M. Where the load passes the limit steadily it leaves along the gauge's slip n, with
@@ -19,13 +20,14 @@
 //              time in which the load changes by the limit.
 // Stop         rho down to 1e-17 of its largest since break-away; then again stick, or at once another start.
 // Load         f(t) [N], [N], [N m] in axes of space about the centre of mass, continuous but for `jumps`, which are
-//              increasing. F_N(t) >= 0 likewise.
+//              increasing. F_N(t) >= 0 and the size likewise.
 // Units        m [kg], J [kg m^2], t [s].
 // Error        of times and places: tolerance and start twice as wide (a hundredfold, twofold) tell; `error` of each
 //              event. Stop time and distance of pucks to 1e-13 at the tolerance 1e-13;
 //              tests/dynamics/rigid_motion_test.cc.
 // Throws       std::invalid_argument unless m, J > 0, the settings are in range, times do not decrease, the start is
-//              finite, and the load, too, with F_N >= 0, wherever it is asked for; std::runtime_error as trajectory.h.
+//              finite, and the load, too, with F_N >= 0 and a size > 0, wherever it is asked for; std::runtime_error
+//              as trajectory.h.
 #pragma once
 
 #include <functional>
@@ -62,6 +64,7 @@ struct PlanarLoad {
   std::function<Vector3(double t)> force;        // f
   std::function<double(double t)> normal_force;  // F_N
   std::vector<double> jumps = {};
+  std::function<double(double t)> size = {};  // of the patch against the one given, about the origin; without it 1
 };
 
 struct RigidMotionResult {

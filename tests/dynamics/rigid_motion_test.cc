@@ -144,6 +144,64 @@ TEST(RigidMotion, TheDiscOfTheFiguresStopsWhereItIsKnownTo) {
   }
 }
 
+// Pressed by 10 N (1 - t / 2 s), a Hertz disc of 0.1 m whose radius follows as the cube root of the force.
+PlanarLoad letting_go(std::function<Vector3(double)> force, std::vector<double> jumps = {}) {
+  PlanarLoad load{std::move(force), [](double t) { return 10 * std::max(0., 1 - t / 2); }, std::move(jumps)};
+  load.jumps.push_back(2);
+  load.size = [](double t) { return std::cbrt(1 - t / 2); };
+  return load;
+}
+
+constexpr double full_moment = 0.3 * 10 * 3 * std::numbers::pi / 16 * 0.1;  // [N m] at t = 0
+
+// J w' = -M_0 (1 - t / 2)^(4/3), until nothing presses.
+TEST(RigidMotion, APatchThatShrinksBrakesLess) {
+  const RigidMotion motion(HertzDisc::of_radius(0.1), 2, 0.01, Law::coulomb(0.3));
+  const auto spin = [](double t) { return 30 - full_moment / 0.01 * 6 / 7 * (1 - std::pow(1 - t / 2, 7. / 3)); };
+  const auto none = [](double) { return Vector3(Vector3::Zero()); };
+  for (const double end : {0.5, 1., 2., 3.}) {
+    const RigidMotionResult r = motion(letting_go(none), moving(0, 0, 30), 0, end, {.tolerance = 1e-13});
+    EXPECT_NEAR(r.state.twist[2], spin(std::min(end, 2.)), 1e-10) << end;
+    EXPECT_NEAR(r.state.dissipated, 0.01 / 2 * (900 - std::pow(spin(std::min(end, 2.)), 2)), 1e-10) << end;
+  }
+}
+
+// A moment passes the limit M_0 (1 - t / 2)^(4/3) as the patch shrinks; another is beyond it from t = 1 s on.
+TEST(RigidMotion, APatchThatShrinksLetsAMomentGo) {
+  const RigidMotion motion(HertzDisc::of_radius(0.1), 2, 0.01, Law::coulomb(0.3));
+  const double moment = 0.4 * full_moment, leaves = 2 * (1 - std::pow(0.4, 0.75));
+  const auto left = [](double t) { return std::pow(1 - t / 2, 7. / 3) * 6 / 7; };
+  const auto spin = [&](double from) { return (moment * (2 - from) - full_moment * left(from)) / 0.01; };
+  const RigidMotionResult steady = motion(letting_go([=](double) { return Vector3(0, 0, moment); }), {}, 0, 2);
+  ASSERT_EQ(steady.events.size(), 1u);
+  EXPECT_NEAR(steady.events[0].time, leaves, 1e-13);
+  EXPECT_NEAR(steady.events[0].slip.w * full_moment * 0.4, 0.3 * 10 * std::pow(0.4, 0.75), 1e-10);  // D = 1 then
+  EXPECT_NEAR(steady.state.twist[2], spin(leaves), 1e-5 * spin(leaves));
+  const auto late = [=](double t) { return Vector3(0, 0, t >= 1 ? moment : 0); };
+  const RigidMotionResult jump = motion(letting_go(late, {1}), {}, 0, 2);
+  ASSERT_EQ(jump.events.size(), 1u);
+  EXPECT_EQ(jump.events[0].time, 1);
+  EXPECT_NEAR(jump.state.twist[2], spin(1), 1e-9 * spin(1));
+}
+
+// Nothing acts on it until 1 s, then mu F_N.
+TEST(RigidMotion, ABodyThatNothingPressesMovesOn) {
+  const RigidMotion motion(HertzDisc::of_radius(0.1), 2, 0.01, Law::coulomb(0.3));
+  PlanarLoad load = pushed([](double) { return Vector3(0, 0, 0); }, 0, {1});
+  load.normal_force = [](double t) { return t < 1 ? 0 : 20; };
+  const RigidMotionResult r = motion(load, moving(3, 0, 0), 0, 3);
+  ASSERT_EQ(r.events.size(), 1u);
+  EXPECT_NEAR(r.events[0].time, 2, 1e-11);
+  EXPECT_NEAR(r.state.place[0], 3 + 1.5, 1e-10);
+}
+
+TEST(RigidMotion, RefusesAPatchWithoutSize) {
+  const RigidMotion motion(HertzDisc::of_radius(0.1), 2, 0.01, Law::coulomb(0.3));
+  PlanarLoad load = pushed([](double) { return Vector3(1, 0, 0); });
+  load.size = [](double) { return 0; };
+  EXPECT_THROW(motion(load, {}, 0, 1), std::invalid_argument);
+}
+
 TEST(RigidMotion, StatesAreKnownAtSamples) {
   const RigidMotion motion(HertzDisc::of_radius(0.2), 1, 1, Law::stribeck(1, 0.5, 0.05));
   const auto force = [](double t) { return Vector3(0.49, 0, t >= 5 && t < 15 ? .11924 : 0); };
