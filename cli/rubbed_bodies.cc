@@ -46,13 +46,25 @@ RubbedBodies with(RubbedBodies rubbed, const Steepness& steepness) {
   return rubbed;
 }
 
-RubbedBodies disc(DescribedPatch patch, double radius_error, std::string law, const Steepness& steepness) {
+RubbedBodies disc(DescribedPatch patch, double radius_error, std::optional<double> growth, std::string law,
+                  const Steepness& steepness) {
   return with({.patch = std::move(patch.patch),
                .radius_error = radius_error,
                .shape_error = radius_error,
+               .growth = growth,
                .notes = {std::move(patch.words), std::move(law)}},
               steepness);
 }
+
+// Of stamps that look alike at every depth: F ~ a^(n + 1) under f ~ r^n (contact/power_profile.h).
+struct Growth {
+  std::optional<double> operator()(const contact::Cone&) const { return 1. / 2; }
+  std::optional<double> operator()(const contact::PowerProfile& power) const { return 1 / (1 + power.exponent()); }
+  template <class Other>
+  std::optional<double> operator()(const Other&) const {
+    return std::nullopt;
+  }
+};
 
 // The exponent m of w ~ s^m at the axis (stamp_disc.h).
 struct Order {
@@ -72,11 +84,12 @@ RubbedBodies punch_stack(const BodyPair& pair, double force, double modulus) {
       throw std::invalid_argument("a stamp with a flat end or kinks is pressed, but not rubbed");
     } else {
       const double order = Order{}(profile);
+      const std::optional<double> growth = Growth{}(profile);
       const auto c = contact::AxisymmetricContact<P>::under_force(std::move(profile), force, modulus);
       return disc({friction::StampDisc::of_punches(
                        c.radius(), [&](double x) { return c.punch_load_density(x); }, order),
                    fmt::format("disc under {}, radius {} m", name.remark, c.radius())},
-                  stamp_radius_error, "from two bodies: a stamp on a half-space",
+                  stamp_radius_error, growth, "from two bodies: a stamp on a half-space",
                   Steepness::of_stamp(c.radius(), c.approach()));
     }
   });
@@ -93,6 +106,7 @@ RubbedBodies ellipse_of_bodies(const CurvedSurface& first, const CurvedSurface& 
        .angle = direction.angle,
        .shape_error = computed_axes_error + turned,
        .extent = e.a,
+       .growth = hertz_growth,
        .notes = {fmt::format("Hertz ellipse, semi-axes {} m and {} m, the first at {} rad", e.a, e.b, direction.angle),
                  "from two bodies by Hertz"}},
       Steepness::of_ellipse(first, second, radii, direction.angle, e.a, e.b));
@@ -104,6 +118,7 @@ RubbedBodies ellipse_of_mesh(const contact::MeshContact& mesh, double force, dou
   return with({.patch = friction::AnyPatch(friction::HertzEllipse::of_semi_axes(e.a, e.b)),
                .shape_error = std::max(pressed.a_error / e.a, pressed.b_error / e.b),
                .extent = e.a,
+               .growth = hertz_growth,
                .notes = {fmt::format("Hertz ellipse, semi-axes {} m and {} m, the x-axis along the first", e.a, e.b),
                          "from a mesh by Hertz; its errors are those of the fitted curvature"}},
               Steepness::of_mesh(mesh, e.a, e.b));
@@ -145,7 +160,7 @@ RubbedBodies rub(const BodyPair& pair, double normal_force, const TomlReader& co
   const double modulus = contact::contact_modulus(pair.first.material, pair.second.material);
   if (const auto radius = relative_radius_of(pair)) {
     const auto circle = contact::HertzCircle::under_force(normal_force, *radius, modulus);
-    return disc(hertz_disc(contact, circle.radius), computed_radius_error, "from two bodies by Hertz",
+    return disc(hertz_disc(contact, circle.radius), computed_radius_error, hertz_growth, "from two bodies by Hertz",
                 Steepness::of_circle(pair, circle.radius, circle.approach));
   }
   if (has_mesh(pair)) return ellipse_of_mesh(mesh_contact(pair, contact.place("bodies")), normal_force, modulus);
@@ -159,7 +174,7 @@ RubbedBodies rub(const BodyPair& pair, double normal_force, const TomlReader& co
     const auto pressed = contact::FlatPunch::under_force(punch->radius, normal_force, modulus);
     return disc({friction::FlatPunchDisc::of_radius(punch->radius),
                  fmt::format("disc under a flat punch, radius {} m", punch->radius)},
-                0, "from two bodies: a flat punch on a half-space",
+                0, 0, "from two bodies: a flat punch on a half-space",
                 Steepness::of_stamp(punch->radius, pressed.approach));
   }
   return punch_stack(pair, normal_force, modulus);

@@ -11,6 +11,8 @@
 
 namespace patchgrip::cli {
 
+constexpr double hertz_growth = 1. / 3;  // a ~ F_N^(1/3) (contact/hertz_circle.h, contact/hertz_ellipse.h)
+
 struct RubbedBodies {
   PatchVariant patch;
   double angle = 0;         // of its axes against the contact frame [rad]
@@ -18,7 +20,8 @@ struct RubbedBodies {
   double shape_error = 0;   // of any patch: how far its points may be off, relative to their distance from the centre
   double extent = 0;        // that distance at most [m]
   std::optional<friction::AnyPatch>
-      coarse{};  // by half as many cells a side: how far the numerical pressure may be off
+      coarse{};                    // by half as many cells a side: how far the numerical pressure may be off
+  std::optional<double> growth{};  // e: with its force the patch grows as F_N^e, alike; none: by another law
   std::vector<std::string> notes{};
   std::vector<std::string> warnings{};
 };

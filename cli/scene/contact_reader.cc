@@ -22,6 +22,11 @@ using friction::Several;
 constexpr Quantity force_range = positive("a force in N");
 constexpr std::size_t most_parts = 10'000;
 
+bool is_hertz(const TomlReader& patch) {
+  const std::string name = patch.text("patch");
+  return name == "hertz_disc" || name == "hertz_ellipse";
+}
+
 // Relative, of the sum of n forces F_i >= 0, and of n products mu_i F_i: each product and each addition is rounded in
 // extended precision, n roundings at most on the way of a term, and the sum once to a double (several.cc).
 constexpr double error_of_sum(std::size_t n) {
@@ -44,6 +49,7 @@ Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials)
     result.shape_error = rubbed.shape_error;
     result.extent = rubbed.extent;
     result.coarse = std::move(rubbed.coarse);
+    result.growth = rubbed.growth;
     result.notes = std::move(rubbed.notes);
     result.warnings = std::move(rubbed.warnings);
     result.notes.push_back("body A: " + pair.first.words);
@@ -63,14 +69,17 @@ Contact read_rubbed_fingertip(const TomlReader& contact) {
   }
   return at(tip.place, [&]() -> Contact {
     FingertipRadius known;
-    double alpha = 0;
+    double alpha = 0, exponent = 0;
     if (const auto* const measured = std::get_if<MeasuredFingertip>(&tip.tip)) {
-      known = radius_under(*measured, fit_to(*measured), force);
+      const contact::PowerLawFit fit = fit_to(*measured);
+      known = radius_under(*measured, fit, force);
       alpha = measured->alpha;
+      exponent = fit.law.gamma;
     } else {
       const auto& given = *std::get_if<PowerLawFingertip>(&tip.tip);
       known = radius_under(given, force);
       alpha = given.alpha;
+      exponent = given.exponent;
     }
     const auto& [radius, factor, warnings] = known;
     const auto disc = [&](double a) { return friction::XydasKaoDisc::of_radius(a, alpha); };
@@ -80,6 +89,7 @@ Contact read_rubbed_fingertip(const TomlReader& contact) {
     } else {
       rubbed.radius_error = rubbed.shape_error = radius.error / radius.value;
     }
+    rubbed.growth = exponent;
     rubbed.warnings = warnings;
     rubbed.notes = {std::move(tip.words),
                     fmt::format("disc with the pressure of Xydas and Kao, alpha = {}, radius {} m{}", alpha,
@@ -91,6 +101,7 @@ Contact read_rubbed_fingertip(const TomlReader& contact) {
 Contact read_given_patch(const TomlReader& contact) {
   DescribedPatch patch = read_patch(contact);
   Contact given{std::move(patch.patch), read_frame(contact), contact.number("normal_force", force_range)};
+  if (is_hertz(contact)) given.growth = hertz_growth;
   given.notes.push_back(std::move(patch.words));
   return given;
 }
@@ -134,6 +145,7 @@ Contact read_parts(const TomlReader& scene, const TomlReader& contact) {
   if (!rubs) contact.refuse("parts", "parts of which at least one has mu > 0");
   const auto several = made(contact, "parts", [&] { return Several::of_parts(std::move(all)); });
   Contact together{AnyPatch(several), {}, several.normal_force()};
+  if (std::ranges::any_of(parts, is_hertz)) together.growth.reset();  // they grow, their distances do not
   together.sum_error = error_of_sum(parts.size());
   if (own_mu) together.resistance = several.resistance();
   together.notes = std::move(notes);

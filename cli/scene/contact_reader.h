@@ -28,6 +28,7 @@ struct Contact {
   std::optional<friction::AnyPatch>
       coarse{};                            // the same on half as many cells, where the pressure is computed on a grid
   std::optional<RadiusScatter> scatter{};  // of a fitted radius, in place of radius_error and shape_error
+  std::optional<double> growth{0};         // e: with its force the patch grows as F_N^e, alike; none: by another law
   std::vector<std::string> notes{};        // the contact in words, for the head of a table
   std::vector<std::string> warnings{};     // what its patch leaves out
 };

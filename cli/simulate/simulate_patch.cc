@@ -30,7 +30,6 @@ Vector3 turned(const Vector3& v, double angle) {
 }
 
 Twist twist(const Vector3& v) { return {v[0], v[1], v[2]}; }
-Wrench wrench(const Vector3& t) { return {t[0], t[1], t[2]}; }
 
 // What every method needs of a scene.
 class Setting {
@@ -49,10 +48,15 @@ class Setting {
     return scene.loads(t);
   }
 
+  // The twist of the patch as it is at t as that of the contact's patch would feel it (dynamics/rigid_motion.h).
+  Twist felt(const Vector3& v, double t) const { return {v[0], v[1], scene.size(t) * v[2]}; }
+
   // g / mu_s F_N of a wrench in axes of space on the body that has turned by `angle`.
   double share(double t, const Vector3& on, double angle) const {
     const double capacity = scene.capacity(t);
-    return capacity > 0 ? surface.gauge(wrench(turned(on, -angle))).value / capacity : not_known;
+    if (!(capacity > 0)) return not_known;
+    const Vector3 own = turned(on, -angle);
+    return surface.gauge({own[0], own[1], own[2] / scene.size(t)}).value / capacity;
   }
   double margin(double t, double angle) const {
     const double s = share(t, scene.loads(t), angle);
@@ -70,8 +74,9 @@ class Setting {
     return s;
   }
 
-  void add(MotionRecord& record, MotionRow row) {
-    row.share = share(row.time, row.friction, row.place[2]);
+  // `at` is the time that its friction is of.
+  void add(MotionRecord& record, MotionRow row, double at) {
+    row.share = share(at, row.friction, row.place[2]);
     record.rows.push_back(std::move(row));
     progress_.at(record.rows.size() - 1);
   }
@@ -90,7 +95,7 @@ class Setting {
 
 dynamics::PlanarLoad planar_load(const Setting& s) {
   return {[&s](double t) { return s.load(t); }, [&s](double t) { return s.scene.normal_force(t); },
-          s.scene.loads.corners()};
+          s.scene.loads.corners(), [&s](double t) { return s.scene.size(t); }};
 }
 
 dynamics::RigidMotionSettings rigid_settings(const Setting& s) {
@@ -124,16 +129,16 @@ void simulate_rigid(Setting& s, MotionRecord& record) {
         MotionRow row{t, at.place, at.twist};
         row.slips = !at.twist.isZero(0);
         if (row.slips) {
-          const Twist own = twist(turned(at.twist, -at.place[2]));
+          const Twist own = s.felt(turned(at.twist, -at.place[2]), t);
           const Wrench r = friction_wrench(scene.law, scene.normal_force(t), s.patch, own).value;
-          row.friction = turned({r.fx, r.fy, r.m}, at.place[2]);
+          row.friction = turned({r.fx, r.fy, scene.size(t) * r.m}, at.place[2]);
         } else {
           row.friction = -s.load(t);
         }
         row.kinetic = s.kinetic(at.twist);
         row.work = at.work;
         row.dissipated = at.dissipated;
-        s.add(record, row);
+        s.add(record, row, t);
       });
   record.events.clear();  // the same, with the errors of their times
   std::ranges::for_each(result.events, note);
@@ -145,7 +150,7 @@ void simulate_rigid(Setting& s, MotionRecord& record) {
 std::optional<MotionEvent> rigid_stop(const Setting& s, const PlanarState& from, double t) {
   const dynamics::RigidMotion motion(s.patch, s.scene.body.mass, s.scene.body.inertia, s.scene.law);
   dynamics::RigidMotionSettings settings{.tolerance = 1e-10};
-  const double left = 2 * s.kinetic(from.twist) / (s.scene.capacity(t) * s.patch.dissipation(twist(from.twist)));
+  const double left = 2 * s.kinetic(from.twist) / (s.scene.capacity(t) * s.patch.dissipation(s.felt(from.twist, t)));
   const auto r = motion(planar_load(s), from, t, t + 100 * left, settings);
   if (r.events.empty() || r.events[0].kind != dynamics::SlipEvent::Kind::stop) return std::nullopt;
   return event_of(s, r.events[0]);
@@ -166,14 +171,17 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
   const friction::PressureMoments moments = patch.moments();
   double last = 0;  // just before a corner
   const auto limit = [&](double at, const Vector3& v) {
-    return coefficient(scene.law, moments, twist(turned(v, -state.place[2]))) * scene.normal_force(std::min(at, last));
+    const double now = std::min(at, last);
+    const double mu = coefficient(scene.law, moments, s.felt(turned(v, -state.place[2]), now));
+    return dynamics::Admissible(mu * scene.normal_force(now), scene.size(now));
   };
-  const auto speed = [&](const PlanarState& x) {
-    return std::hypot(x.twist[0], x.twist[1], s.patch.area_radius() * x.twist[2]);
+  const auto speed = [&](const PlanarState& x, double at) {
+    return std::hypot(x.twist[0], x.twist[1], s.patch.area_radius() * scene.size(at) * x.twist[2]);
   };
   // What bent bristles can give back: slower slips than that are of their ringing.
   const auto ringing = [&](double capacity) { return capacity * capacity / (2 * b.stiffness); };
-  double t = 0;
+  const double last_stage = f.implicit_euler ? 1 : 1 - dynamics::sdirk2_gamma;  // of a step
+  double t = 0, friction_time = 0;
   Vector3 friction = -s.load(0);
   if (!scene.body.settled) friction.setZero();
   bool slips = false;
@@ -185,7 +193,7 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
     row.stored = body.stored_energy(state);
     row.work = state.work;
     row.dissipated = state.dissipated;
-    s.add(record, row);
+    s.add(record, row, friction_time);
   };
   const auto finish_slip = [&] {
     record.events.push_back({"sticks", t, longest, state.place, std::nullopt, s.margin(t, state.place[2])});
@@ -215,22 +223,23 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
         if (!std::isfinite(x)) dynamics::refuse_step(t);
       }
       if (r.slips && !slips) {
-        const double D = patch.dissipation(twist(r.slip));
+        const double D = patch.dissipation(s.felt(r.slip, std::min(t + h, last)));
         record.events.push_back(
             {"break_away", t, longest, state.place, twist(r.slip / D), s.margin(t, state.place[2])});
       }
-      const double before = speed(state), after = speed(r.state);
+      const double before = speed(state, t), after = speed(r.state, std::min(t + h, last));
       if (f.rest_speed && (before > *f.rest_speed) != (after > *f.rest_speed)) {
         const double at = t + h * (before - *f.rest_speed) / (before - after);
         record.events.push_back({"rest_speed", at, 0, r.state.place});
       }
       state = r.state;
       friction = r.wrench;
+      friction_time = std::min(t + last_stage * h, last);
       const bool ended = slips && !r.slips;
       slips = r.slips;
       t = i + 1 == steps ? to : from + static_cast<double>(i + 1) * h;
       if (ended) finish_slip();
-      const double D = slips ? s.patch.dissipation(twist(state.twist)) : 0, T = s.kinetic(state.twist);
+      const double D = slips ? s.patch.dissipation(s.felt(state.twist, t)) : 0, T = s.kinetic(state.twist);
       const double capacity = scene.capacity(t);
       if (D > 0 && capacity > 0 && T > std::max(h / 4 * capacity * D, ringing(capacity))) late = {t, state};
     }
@@ -303,7 +312,7 @@ void follow_bristle_law(Setting& s, const Bristle& bristle, MotionRecord& record
       row.stored = motion.stored_energy(x);
       row.work = x[9];
       row.dissipated = x[10];
-      s.add(record, row);
+      s.add(record, row, row.time);
       ++next;
     }
     if (next < s.times.size()) run_in_steps(flow, end, longest, note);

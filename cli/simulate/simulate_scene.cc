@@ -87,7 +87,12 @@ std::array<double, 2> read_span(const TomlReader& load, std::string_view key) {
   return {from, to};
 }
 
-Course read_course(const TomlReader& load) {
+// What the factor of a course may be, and the mean of a sine.
+struct Factor {
+  Quantity value, mean;
+};
+
+Course read_course(const TomlReader& load, const Factor& factor) {
   const auto has = [&](std::string_view key) { return load.has(key); };
   if (std::ranges::count_if(courses, has) > 1)
     load.refuse(*std::ranges::find_if(courses, has), "one of 'during', 'ramp', 'sine' and 'course'");
@@ -102,33 +107,44 @@ Course read_course(const TomlReader& load) {
   if (has("sine")) {
     const TomlReader sine = load.table("sine", {"angular_frequency", "phase", "mean"});
     SineCourse c{0, sine.number("angular_frequency", positive("an angular frequency in rad/s")), 0};
-    if (sine.has("mean")) c.mean = sine.number("mean", any_sign("a mean"));
+    if (sine.has("mean") || !factor.mean.admits(0)) c.mean = sine.number("mean", factor.mean);
     if (sine.has("phase")) c.phase = sine.number("phase", any_angle("a phase in rad"));
     return c;
   }
   if (has("course")) {
     constexpr std::string_view allowed = "points [[t, factor], ...] over time in s, t not falling";
-    PointCourse c{read_pairs(load, "course", allowed, time_range, any_sign("a factor of the load"))};
+    PointCourse c{read_pairs(load, "course", allowed, time_range, factor.value)};
     if (!std::ranges::is_sorted(c.points, {}, [](const auto& p) { return p[0]; })) load.refuse("course", allowed);
     return c;
   }
   return ConstantCourse{};
 }
 
-// The normal force over time, of a patch that keeps its size.
-Course read_pressing(const TomlReader& scene, FrictionMethod method) {
+// The normal force over time.
+Course read_pressing(const TomlReader& scene, bool point, FrictionMethod method) {
   if (!scene.has("normal_force")) return ConstantCourse{};
   const TomlReader table = scene.table("normal_force", courses);
-  const TomlReader contact = contact_table(scene);
-  if (!contact.has("patch")) scene.refuse("normal_force", "used with a 'patch', whose size does not change");
-  const std::string patch = contact.text("patch");
-  if (patch == "hertz_disc" || patch == "hertz_ellipse")
-    scene.refuse("normal_force", "used with a patch that keeps its size; that of a Hertz contact follows the force");
-  if (patch != "point" && is_smooth_patch(method))
+  if (!point && is_smooth_patch(method))
     scene.refuse("normal_force", fmt::format("not used by method = \"{}\" of a patch", name_of(method)));
   if (method == FrictionMethod::half_freedom)  // its damping bounds one force
     scene.refuse("normal_force", "not used by method = \"half_freedom\"");
-  return read_course(table);
+  return read_course(table, {non_negative("a factor of the normal force, which only presses"),
+                             {"a mean of the factor of the normal force, which only presses", 1, largest_size}});
+}
+
+// How the patch grows with it.
+double read_growth(const TomlReader& scene, const Contact& contact) {
+  if (!scene.has("normal_force")) return 0;
+  if (!contact.growth) {
+    scene.refuse("normal_force",
+                 "used with a contact whose pressure keeps its shape: a patch, balls and other curved bodies, cones, "
+                 "powers, flat punches, fingertips by a power law, parts that are not Hertz's");
+  }
+  if (*contact.growth != 0 && (contact.frame.x != 0 || contact.frame.y != 0)) {
+    contact_table(scene).refuse(
+        "centre", "[0, 0], the centre of mass, under a [normal_force] with which the patch grows about its own centre");
+  }
+  return *contact.growth;
 }
 
 std::vector<Applied> read_applied(const TomlReader& scene, bool point) {
@@ -140,7 +156,7 @@ std::vector<Applied> read_applied(const TomlReader& scene, bool point) {
     if (point && wrench[1] != 0) load.refuse("force", "a point moves along x: the second component is 0");
     if (point && load.has("moment")) load.refuse("moment", "a point does not turn");
     if (load.has("moment")) wrench[2] = load.number("moment", any_sign("a moment in N m"));
-    loads.push_back({wrench, read_course(load)});
+    loads.push_back({wrench, read_course(load, {any_sign("a factor of the load"), any_sign("a mean")})});
   }
   return loads;
 }
@@ -284,18 +300,19 @@ SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLi
     scene.table("body", body_keys)
         .refuse("settled", fmt::format("not used by method = \"{}\"", name_of(following.method)));
   }
-  const Course pressing = read_pressing(scene, following.method);
+  const Course pressing = read_pressing(scene, point, following.method);
   AppliedLoads loads(read_applied(scene, point), {pressing});
   if (following.times[following.times.size() - 1] / loads.longest_step() > most_steps) {
     scene.refuse("applied", fmt::format("loads that change so fast need steps of {:.3g} s, more than {:.0e} of them",
                                         loads.longest_step(), most_steps));
   }
   Contact contact = read_contact(scene, materials);
+  const double growth = read_growth(scene, contact);
   if (!point && !(any_patch(contact).moments().polar > 0))
     scene.refuse("contact", "a single point has patch = \"point\"; a body in the plane needs a contact with a size");
   const friction::Law law = read_law(scene, contact, point, following);
   if (following.method == FrictionMethod::half_freedom) check_damping(scene, contact, point, law, following.bristle);
-  return {std::move(title),     std::move(contact),   point, law, body, std::move(loads), pressing,
+  return {std::move(title),     std::move(contact),   point, law, body, std::move(loads), pressing, growth,
           std::move(following), scene.place("motion")};
 }
 

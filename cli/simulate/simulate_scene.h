@@ -5,6 +5,7 @@
 // along x; every other a body in the plane, with its centre of mass at the origin of the contact frame.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -80,6 +81,8 @@ struct SimulateScene {
     return contact::require_non_negative("normal_force", contact.normal_force * value_at(pressing, t));
   }
   double capacity(double t) const { return law.mu_static * normal_force(t); }  // mu_s F_N
+  // Of the patch, against that of the contact: it grows with its force.
+  double size(double t) const { return growth == 0 ? 1 : std::pow(value_at(pressing, t), growth); }
 
   std::string title;
   Contact contact;
@@ -88,6 +91,7 @@ struct SimulateScene {
   MovingBody body;
   AppliedLoads loads;
   Course pressing;  // of the normal force
+  double growth;    // of the patch, as Contact has it; 0 where the force does not change
   Following following;
   Place place;  // [motion]
 };

@@ -87,8 +87,29 @@ std::vector<BadScene> bad_scenes() {
       {"RampBackwards", applied("moment = 1\nramp = [2, 1]"), 17, "applied[0].ramp = [2, 1]: two times [t1, t2]"},
       {"SineWithoutFrequency", applied("moment = 1\nsine = { mean = 1 }"), 17, "sine.angular_frequency: missing"},
       {"CourseFalls", applied("moment = 1\ncourse = [[1, 0], [0, 1]]"), 17, "t not falling"},
-      {"PressingAHertzContact", good_puck + "[normal_force]\nramp = [0, 1]\n", 15,
-       "normal_force: used with a patch that keeps its size"},
+      {"PressingAHertzContactAside",
+       puck("radius = 0.05", "radius = 0.05\ncentre = [0.1, 0]") + "[normal_force]\nramp = [0, 1]\n", 4,
+       "contact.centre = [0.1, 0]: [0, 0], the centre of mass, under a [normal_force] with which"},
+      {"PressingElastoplastic",
+       method("method = \"elastoplastic\"\nstiffness = 1\nturn_stiffness = 1") + "[normal_force]\nramp = [0, 1]\n", 17,
+       "normal_force: not used by method = \"elastoplastic\" of a patch"},
+      {"PressingAWholeSphere",
+       puck("patch = \"hertz_disc\"\nradius = 0.05\nnormal_force = 9.81",
+            "normal_force = 9.81\n[[contact.bodies]]\nstamp = \"sphere\"\nradius = 1\nyoungs_modulus = 1e6\n"
+            "poisson_ratio = 0.5\n[[contact.bodies]]\nplane = true\nrigid = true") +
+           "[normal_force]\nramp = [0, 1]\n",
+       21, "normal_force: used with a contact whose pressure keeps its shape: a patch, balls"},
+      {"PressingHertzianParts",
+       puck("patch = \"hertz_disc\"\nradius = 0.05\nnormal_force = 9.81",
+            "[[contact.parts]]\npatch = \"hertz_disc\"\nradius = 0.05\nnormal_force = 9.81") +
+           "[normal_force]\nramp = [0, 1]\n",
+       16, "normal_force: used with a contact whose pressure keeps its shape"},
+      {"Pulling", good_puck + "[normal_force]\ncourse = [[0, 1], [1, -0.5]]\n", 16,
+       "-0.5: a factor of the normal force, which only presses, from 1e-60 to 1e+60, or 0"},
+      {"PullingInWaves", good_puck + "[normal_force]\nsine = { angular_frequency = 1, mean = 0.5 }\n", 16,
+       "normal_force.sine.mean = 0.5: a mean of the factor of the normal force, which only presses, from 1 to"},
+      {"PullingWithoutMean", good_puck + "[normal_force]\nsine = { angular_frequency = 1 }\n", 16,
+       "normal_force.sine.mean: missing: a mean of the factor of the normal force"},
       {"PressingInTwoWays", good_point + "[normal_force]\nramp = [0, 1]\nduring = [0, 1]\n", 16,
        "one of 'during', 'ramp', 'sine' and 'course'"},
       {"LoadsOfLimit", good_puck + "[[loads]]\nmoment = 1\n", 15, "loads: not used by 'simulate'"},
@@ -114,6 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Scene, BadSimulate, ::testing::ValuesIn(bad_scenes()),
 TEST(SimulateInput, GoodScenesAreAccepted) {
   EXPECT_NO_THROW(simulate_scene(good_puck));
   EXPECT_NO_THROW(simulate_scene(good_point));
+  EXPECT_NO_THROW(simulate_scene(good_puck + "[normal_force]\nsine = { angular_frequency = 1, mean = 1 }\n"));
   EXPECT_NO_THROW(simulate_scene(applied("force = [1, 2]\ncourse = [[0, 0], [1, 1], [1, 3]]")));
 }
 

@@ -8,6 +8,7 @@
 
 #include <patchgrip/cli/scene/scene_error.h>
 #include <patchgrip/cli/unanswered.h>
+#include <patchgrip/contact/hertz_circle.h>
 
 #include "simulate_scenes.h"
 
@@ -166,6 +167,122 @@ TEST_F(Simulate, ANormalForceThatFallsLetsGo) {
            "times =", "method = \"return_mapping\"\nstep = 1e-4\nstiffness = 1e7\nturn_stiffness = 1e3\ntimes ="));
   EXPECT_NEAR(mapped.value("break_away"), 1.2, 2e-4);
   EXPECT_NEAR(mapped.table["vx_m_per_s"].back(), 0.4, 1e-4);
+}
+
+// The same scene by another method, without bristles.
+std::string rigid(std::string text) {
+  text = with(text, "method = \"return_mapping\"", "method = \"rigid\"");
+  for (const char* key : {"\nstep =", "\nstiffness =", "\nturn_stiffness ="}) {
+    const auto from = text.find(key);
+    if (from != std::string::npos) text.erase(from, text.find('\n', from + 1) - from);
+  }
+  return text;
+}
+
+// Spin alone: J w' = -mu F_N m_0 a with m_0 = 3 pi / 16 and a as Hertz gives it under F_N (1 - t / T), that is
+// -M (1 - t / T)^(4/3).
+TEST_F(Simulate, AHertzContactShrinksWithItsForce) {
+  const double J = 4e-4, w0 = 20, mu = 0.4, F = 20, T = 2, modulus = 50e6 / (1 - 0.49 * 0.49);
+  const auto moment = [&](double t) {
+    const double now = F * (1 - t / T);
+    return mu * now * 3 * std::numbers::pi / 16 * contact::HertzCircle::under_force(now, 20e-3, modulus).radius;
+  };
+  const Answer mapped = committed("pressed_less"), exact = answer_to(rigid(scene_text("pressed_less")));
+  const auto t = mapped.table["t_s"];
+  ASSERT_EQ(t.size(), 101u);
+  for (std::size_t i = 0; i + 1 < t.size(); ++i) {
+    const double way = 3 * T / 7 * (1 - std::pow(1 - t[i] / T, 7. / 3));
+    EXPECT_NEAR(exact.table["w_rad_per_s"][i], w0 - moment(0) / J * way, 1e-9) << t[i];
+    EXPECT_NEAR(mapped.table["w_rad_per_s"][i], w0 - moment(0) / J * way, 1e-5) << t[i];
+    EXPECT_NEAR(exact.table["moment_Nm"][i], -moment(t[i]), 1e-12 * moment(0)) << t[i];
+  }
+  for (const double share : mapped.table["share_of_limit"]) {
+    EXPECT_TRUE(std::isnan(share) || share <= 1 + 1e-12) << share;
+  }
+}
+
+TEST_F(Simulate, AContactThatSwingsHoldsWithoutCreep) {
+  const Answer a = committed("pressed_in_waves");
+  EXPECT_EQ(a.value("drift_in_stick"), 0);
+  EXPECT_TRUE(a.json["events"].empty());
+  const auto share = a.table["share_of_limit"];
+  EXPECT_NEAR(*std::ranges::max_element(share), 0.91, 0.01);
+  // More of it is too much for the least of them.
+  const Answer more = answer_to(with(scene_text("pressed_in_waves"), "force = [0.35, 0.0]", "force = [0.45, 0.0]"));
+  EXPECT_FALSE(more.json["events"].empty());
+  EXPECT_GT(more.table["x_m"].back(), 10 * a.table["x_m"].back());
+}
+
+// A force that does not change leaves the contact as it is, to the bit.
+TEST_F(Simulate, AConstantForceIsThatOfAFixedRadius) {
+  for (const std::string& scene : {good_puck, scene_text("puck_bristles"), scene_text("held_load")}) {
+    const Answer fixed = answer_to(scene), followed = answer_to(scene + "\n[normal_force]\ncourse = [[0, 1]]\n");
+    EXPECT_EQ(fixed.table.rows, followed.table.rows);
+    EXPECT_EQ(fixed.json["events"], followed.json["events"]);
+  }
+}
+
+// Twice the force from the start is a radius of 2^(1/3).
+TEST_F(Simulate, AForceTwiceAsLargeIsThatOfAWiderContact) {
+  for (const std::string& text :
+       {good_puck, with(good_puck, "method = \"rigid\"",
+                        "method = \"return_mapping\"\nstep = 1e-3\nstiffness = 1e8\nturn_stiffness = 1e5")}) {
+    const Answer pressed = answer_to(text + "[normal_force]\ncourse = [[0, 2]]\n");
+    const Answer wide = answer_to(with(with(text, "normal_force = 9.81", "normal_force = 19.62"), "radius = 0.05",
+                                       "radius = 0.062996052494743658"));
+    for (const char* column : {"x_m", "turn_rad", "vx_m_per_s", "w_rad_per_s"}) {
+      const auto one = pressed.table[column], other = wide.table[column];
+      for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i], other[i], 1e-9) << column;
+    }
+    EXPECT_NEAR(pressed.value("stop_time"), wide.value("stop_time"), 1e-9);
+  }
+}
+
+// Whatever the force does: friction loses energy, and what it has lost balances.
+TEST_F(Simulate, AContactThatGrowsAndShrinksNeverGivesEnergy) {
+  const std::string puck =
+      with(scene_text("puck_bristles"), "stiffness = 1e8 ", "damping = 30\nturn_damping = 0.04\nstiffness = 1e6 ");
+  const std::string ellipse = with(puck, "patch = \"hertz_disc\"\nradius = 0.05 ",
+                                   "patch = \"hertz_ellipse\"\nangle = 0.3\nsemi_axes = [0.06, 0.04]");
+  for (const std::string& scene : {puck, ellipse, rigid(scene_text("puck_bristles"))}) {
+    for (const char* course :
+         {"course = [[0, 1], [0.05, 0], [0.1, 3], [0.1, 0.2], [0.2, 5], [0.3, 0]]",
+          "sine = { angular_frequency = 90, phase = 1, mean = 1 }", "during = [0.1, 0.2]", "ramp = [0.05, 0.3]"}) {
+      const Answer a = answer_to(scene + "\n[normal_force]\n" + course + "\n");
+      EXPECT_LE(a.json["summary"]["energy_balance_error"]["value"].get<double>(), 1e-10) << course;
+      const auto lost = a.table["dissipated_J"];
+      EXPECT_TRUE(std::ranges::is_sorted(lost, [](double x, double y) { return x < y - 1e-15; })) << course;
+      EXPECT_GT(lost.back(), 0.1) << course;
+    }
+  }
+}
+
+// Every contact whose pressure keeps its shape: a moment slips where mu F_N a (F_N) falls to it.
+TEST_F(Simulate, EveryContactShrinksByItsOwnLaw) {
+  const std::string rest =
+      "[friction]\nmu = 0.5\n[body]\nmass = 1\ninertia = 1\n[[applied]]\nmoment = 1e-5\n"
+      "[normal_force]\ncourse = [[0, 1], [1, 0]]\n[motion]\ntimes = [0, 1]\n";
+  const std::string plane = "[[contact.bodies]]\nplane = true\nrigid = true\n";
+  const std::string soft = "youngs_modulus = 1e6\npoisson_ratio = 0.5\n";
+  struct Case {
+    std::string contact;
+    double growth;
+  };
+  for (const auto& [contact, growth] :
+       {Case{"[[contact.bodies]]\nradius = 0.01\n" + soft + plane, 1. / 3},
+        Case{"[[contact.bodies]]\nradii = [0.01, 0.02]\n" + soft + plane, 1. / 3},
+        Case{"[[contact.bodies]]\nstamp = \"cone\"\nslope = 0.1\n" + soft + plane, 1. / 2},
+        Case{"[[contact.bodies]]\nstamp = \"power\"\ncoefficient = 1000\nexponent = 4\n" + soft + plane, 1. / 5},
+        Case{"[[contact.bodies]]\nstamp = \"flat_punch\"\nradius = 1e-3\n" + soft + plane, 0},
+        Case{"[contact.fingertip]\ncoefficient = 2e-3\nexponent = 0.15\n", 0.15},
+        Case{"[[contact.parts]]\npatch = \"ring\"\nradius = 1e-3\nnormal_force = 1\n", 0}}) {
+    const bool parts = contact.find("parts") != std::string::npos;
+    const Answer a = answer_to((parts ? "" : "[contact]\nnormal_force = 1\n") + contact + rest);
+    // Its limit at first, from the margin at the break-away under the same moment.
+    const double share = a.table["share_of_limit"][0];
+    ASSERT_LT(share, 0.1) << contact;
+    EXPECT_NEAR(std::pow(1 - a.value("break_away"), 1 + growth), share, 1e-9) << contact;
+  }
 }
 
 // Any patch, any place of it: a rectangle that is turned, off the centre of mass, by bristles and without.
