@@ -15,10 +15,10 @@ Scene load_scene(const std::filesystem::path& file) {
 }
 
 TomlReader scene_table(const TomlDocument& document) {
-  return {document, document.root(), "", {"title",   "contact",  "friction",   "poles",   "adhesion", "load",
-                                          "profile", "sweep",    "loads",      "surface", "contacts", "object",
-                                          "carried", "question", "family",     "view",    "body",     "normal_force",
-                                          "applied", "motion",   "disturbance"}};
+  return {document, document.root(), "", {"title",   "contact",  "friction",    "poles",   "adhesion", "load",
+                                          "profile", "sweep",    "loads",       "surface", "contacts", "object",
+                                          "carried", "question", "family",      "view",    "body",     "normal_force",
+                                          "applied", "motion",   "disturbance", "upper"}};
 }
 
 Scene read_scene(const TomlDocument& document, const MaterialLibrary& materials) {

@@ -62,6 +62,12 @@ AppliedLoads::AppliedLoads(std::vector<Applied> loads, const std::vector<Course>
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
 }
 
+std::vector<Course> AppliedLoads::courses() const {
+  std::vector<Course> all;
+  for (const Applied& a : loads_) all.push_back(a.course);
+  return all;
+}
+
 dynamics::Vector3 AppliedLoads::operator()(double t) const {
   dynamics::Vector3 sum = dynamics::Vector3::Zero();
   for (const Applied& a : loads_) sum += value_at(a.course, t) * a.wrench;

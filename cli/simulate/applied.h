@@ -54,6 +54,7 @@ class AppliedLoads {
 
   dynamics::Vector3 operator()(double t) const;
 
+  std::vector<Course> courses() const;
   const std::vector<double>& corners() const noexcept { return corners_; }  // increasing
   double longest_step() const noexcept { return longest_step_; }
 

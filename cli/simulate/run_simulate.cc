@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -27,6 +29,10 @@ std::vector<std::string> head_of(const SimulateFiles& files, const SimulateScene
   if (!scene.title.empty()) head.push_back("title: " + scene.title);
   for (const std::string& note : scene.contact.notes) head.push_back("contact: " + note);
   head.push_back("friction: " + in_words(scene.law, false));
+  if (scene.upper) {
+    for (const std::string& note : scene.upper->contact.notes) head.push_back("contact of the upper body: " + note);
+    head.push_back("friction of the upper body: " + in_words(scene.upper->law, false));
+  }
   head.push_back(fmt::format("method: {}", name_of(scene.following.method)));
   add_warnings(head, record.warnings);
   return head;
@@ -48,6 +54,8 @@ void simulate(const SimulateScene& scene, bool second, MotionRecord& record) {
   at(scene.place, [&] {
     if (scene.point) {
       simulate_point(scene, second, record);
+    } else if (scene.upper) {
+      simulate_stack(scene, second, record);
     } else {
       simulate_patch(scene, second, record);
     }
@@ -63,6 +71,7 @@ struct Run {
 Run run(const SimulateScene& scene) {
   Run r;
   r.record.warnings = scene.contact.warnings;
+  if (scene.upper) std::ranges::copy(scene.upper->contact.warnings, std::back_inserter(r.record.warnings));
   MotionRecord other;
   try {
     simulate(scene, false, r.record);
@@ -92,9 +101,13 @@ void run_simulate(const SimulateFiles& files, const MaterialLibrary& materials) 
     r.record.warnings.push_back(
         fmt::format("stopped before its end: what follows t = {} s is missing, and errors are not known",
                     r.record.rows.back().time));
-    for (MotionRow& row : r.record.rows) row.error.setConstant(not_known);
+    for (auto* rows : {&r.record.rows, &r.record.upper_rows}) {
+      for (MotionRow& row : *rows) row.error.setConstant(not_known);
+    }
     for (MotionEvent& event : r.record.events) event.time_error = not_known;
-    if (r.record.rest) r.record.rest->time_error = not_known;
+    for (auto* rest : {&r.record.rest, &r.record.upper_rest}) {
+      if (*rest) (*rest)->time_error = not_known;
+    }
     InterruptGuard::forget();
     write(files, scene, r.record);
   }

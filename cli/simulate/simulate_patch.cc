@@ -8,7 +8,9 @@
 
 #include <patchgrip/cli/interrupt.h>
 #include <patchgrip/cli/progress.h>
+#include <patchgrip/cli/simulate/fixed_steps.h>
 #include <patchgrip/cli/simulate/run_in_steps.h>
+#include <patchgrip/cli/simulate/turned.h>
 #include <patchgrip/dynamics/bristle_body.h>
 #include <patchgrip/dynamics/bristle_motion.h>
 #include <patchgrip/dynamics/half_freedom_patch.h>
@@ -23,11 +25,6 @@ using friction::AnyPatch;
 using friction::LimitSurface;
 using friction::Twist;
 using friction::Wrench;
-
-Vector3 turned(const Vector3& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
-}
 
 Twist twist(const Vector3& v) { return {v[0], v[1], v[2]}; }
 
@@ -203,47 +200,35 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
     }
     late.reset();
   };
-  std::size_t next = 0;
-  const auto& corners = scene.loads.corners();
-  while (next < s.times.size()) {
-    if (s.times[next] <= t) {
-      add_row();
-      ++next;
-      continue;
+  const auto load = [&](double at) { return s.load(std::min(at, last)); };
+  const auto take_step = [&](double, double h, double end, double last_of_piece) {
+    last = last_of_piece;
+    const auto r = body.step(state, t, h, method, load, limit);
+    for (const double x : r.state.twist) {
+      if (!std::isfinite(x)) dynamics::refuse_step(t);
     }
-    const auto corner = std::ranges::upper_bound(corners, t);
-    const double to = corner == corners.end() ? s.times[next] : std::min(s.times[next], *corner);
-    last = std::nextafter(to, t);
-    const auto load = [&](double at) { return s.load(std::min(at, last)); };
-    const auto steps = static_cast<long>(std::ceil((to - t) / longest * (1 - 1e-9)));
-    const double from = t, h = (to - t) / static_cast<double>(steps);
-    for (long i = 0; i < steps; ++i) {
-      const auto r = body.step(state, t, h, method, load, limit);
-      for (const double x : r.state.twist) {
-        if (!std::isfinite(x)) dynamics::refuse_step(t);
-      }
-      if (r.slips && !slips) {
-        const double D = patch.dissipation(s.felt(r.slip, std::min(t + h, last)));
-        record.events.push_back(
-            {"break_away", t, longest, state.place, twist(r.slip / D), s.margin(t, state.place[2])});
-      }
-      const double before = speed(state, t), after = speed(r.state, std::min(t + h, last));
-      if (f.rest_speed && (before > *f.rest_speed) != (after > *f.rest_speed)) {
-        const double at = t + h * (before - *f.rest_speed) / (before - after);
-        record.events.push_back({"rest_speed", at, 0, r.state.place});
-      }
-      state = r.state;
-      friction = r.wrench;
-      friction_time = std::min(t + last_stage * h, last);
-      const bool ended = slips && !r.slips;
-      slips = r.slips;
-      t = i + 1 == steps ? to : from + static_cast<double>(i + 1) * h;
-      if (ended) finish_slip();
-      const double D = slips ? s.patch.dissipation(s.felt(state.twist, t)) : 0, T = s.kinetic(state.twist);
-      const double capacity = scene.capacity(t);
-      if (D > 0 && capacity > 0 && T > std::max(h / 4 * capacity * D, ringing(capacity))) late = {t, state};
+    if (r.slips && !slips) {
+      const double D = patch.dissipation(s.felt(r.slip, std::min(t + h, last)));
+      record.events.push_back({"break_away", t, longest, state.place, twist(r.slip / D), s.margin(t, state.place[2])});
     }
-  }
+    const double before = speed(state, t), after = speed(r.state, std::min(t + h, last));
+    if (f.rest_speed && (before > *f.rest_speed) != (after > *f.rest_speed)) {
+      const double at = t + h * (before - *f.rest_speed) / (before - after);
+      record.events.push_back({"rest_speed", at, 0, r.state.place});
+    }
+    state = r.state;
+    friction = r.wrench;
+    friction_time = std::min(t + last_stage * h, last);
+    const bool ended = slips && !r.slips;
+    slips = r.slips;
+    t = end;
+    if (ended) finish_slip();
+    const double D = slips ? s.patch.dissipation(s.felt(state.twist, t)) : 0, T = s.kinetic(state.twist);
+    const double capacity = scene.capacity(t);
+    if (D > 0 && capacity > 0 && T > std::max(h / 4 * capacity * D, ringing(capacity))) late = {t, state};
+  };
+  take_fixed_steps(
+      s.times, scene.loads.corners(), longest, [&](double) { add_row(); }, take_step);
 }
 
 void simulate_return_mapping(Setting& s, MotionRecord& record) {

@@ -10,6 +10,9 @@ namespace patchgrip::cli {
 // hundred times the tolerance. Throws SceneError, Interrupted, and std::runtime_error where steps come to nothing.
 void simulate_patch(const SimulateScene& scene, bool second, MotionRecord& record);
 
+// The same for a body on another one (scene.upper).
+void simulate_stack(const SimulateScene& scene, bool second, MotionRecord& record);
+
 // The same for a point mass.
 void simulate_point(const SimulateScene& scene, bool second, MotionRecord& record);
 

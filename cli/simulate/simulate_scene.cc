@@ -4,22 +4,21 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <patchgrip/cli/scene/friction_reader.h>
-#include <patchgrip/cli/scene/outline_reader.h>
 #include <patchgrip/cli/scene/scene.h>
 #include <patchgrip/cli/scene/sequence_reader.h>
+#include <patchgrip/cli/simulate/applied_reader.h>
 #include <patchgrip/dynamics/half_freedom_patch.h>
 
 namespace patchgrip::cli {
 namespace {
 
 constexpr Quantity time_range = non_negative("a time in s");
-constexpr Quantity component = any_sign("a component of a force in N");
-constexpr Quantity speed = any_sign("a velocity in m/s");
 
 constexpr std::array<std::string_view, 10> method_names{
     "rigid",          "return_mapping", "elastoplastic", "elastoplastic_printed", "half_freedom", "lugre", "dahl",
@@ -32,93 +31,7 @@ bool is_smooth_patch(FrictionMethod m) {
   return m >= FrictionMethod::elastoplastic && m <= FrictionMethod::half_freedom;
 }
 
-// --- what moves
-
-dynamics::Vector3 read_pair(const TomlReader& table, std::string_view key, const Quantity& quantity,
-                            std::string_view allowed) {
-  if (!table.has(key)) return dynamics::Vector3::Zero();
-  const toml::array& xy = table.array(table.node(key), key, allowed);
-  if (xy.size() != 2) table.refuse(key, allowed);
-  return {table.number(xy[0], fmt::format("{}[0]", key), quantity),
-          table.number(xy[1], fmt::format("{}[1]", key), quantity), 0};
-}
-
-constexpr std::array<std::string_view, 10> body_keys{"mass", "inertia", "place",  "angle",  "velocity",
-                                                     "spin", "settled", "spring", "damper", "support_speed"};
-
-MovingBody read_body(const TomlReader& scene, bool point) {
-  if (!scene.has("body")) scene.refuse("body", "a table [body] with its 'mass'");
-  const TomlReader table = scene.table("body", body_keys);
-  MovingBody body{.mass = table.number("mass", positive("a mass in kg"))};
-  body.place = read_pair(table, "place", any_sign("a place in m"), "a place [x, y] in m");
-  body.twist = read_pair(table, "velocity", speed, "a velocity [vx, vy] in m/s");
-  body.settled = table.flag("settled");
-  if (point) {
-    for (const std::string_view key : {"inertia", "angle", "spin"}) {
-      if (table.has(key)) table.refuse(key, "a point does not turn");
-    }
-    if (body.place[1] != 0 || body.twist[1] != 0)
-      table.refuse(body.place[1] != 0 ? "place" : "velocity", "a point moves along x: its second component is 0");
-    if (table.has("spring")) body.spring = table.number("spring", non_negative("a stiffness in N/m"));
-    if (table.has("damper")) body.damper = table.number("damper", non_negative("a damping in N s/m"));
-    if (table.has("support_speed")) body.support_speed = table.number("support_speed", speed);
-    return body;
-  }
-  for (const std::string_view key : {"spring", "damper", "support_speed"}) {
-    if (table.has(key)) table.refuse(key, "used with patch = \"point\"");
-  }
-  body.inertia = table.number("inertia", positive("a moment of inertia about the centre of mass in kg m^2"));
-  if (table.has("angle")) body.place[2] = table.number("angle", any_angle("an angle in rad"));
-  if (table.has("spin")) body.twist[2] = table.number("spin", any_sign("an angular velocity in rad/s"));
-  return body;
-}
-
-// --- what acts on it
-
-constexpr std::array<std::string_view, 4> courses{"during", "ramp", "sine", "course"};
-
-std::array<double, 2> read_span(const TomlReader& load, std::string_view key) {
-  constexpr std::string_view allowed = "two times [t1, t2] in s, the second later";
-  const toml::array& times = load.array(load.node(key), key, allowed);
-  if (times.size() != 2) load.refuse(key, allowed);
-  const double from = load.number(times[0], fmt::format("{}[0]", key), time_range);
-  const double to = load.number(times[1], fmt::format("{}[1]", key), time_range);
-  if (!(to > from)) load.refuse(key, allowed);
-  return {from, to};
-}
-
-// What the factor of a course may be, and the mean of a sine.
-struct Factor {
-  Quantity value, mean;
-};
-
-Course read_course(const TomlReader& load, const Factor& factor) {
-  const auto has = [&](std::string_view key) { return load.has(key); };
-  if (std::ranges::count_if(courses, has) > 1)
-    load.refuse(*std::ranges::find_if(courses, has), "one of 'during', 'ramp', 'sine' and 'course'");
-  if (has("during")) {
-    const auto [from, to] = read_span(load, "during");
-    return DuringCourse{from, to};
-  }
-  if (has("ramp")) {
-    const auto [from, to] = read_span(load, "ramp");
-    return RampCourse{from, to};
-  }
-  if (has("sine")) {
-    const TomlReader sine = load.table("sine", {"angular_frequency", "phase", "mean"});
-    SineCourse c{0, sine.number("angular_frequency", positive("an angular frequency in rad/s")), 0};
-    if (sine.has("mean") || !factor.mean.admits(0)) c.mean = sine.number("mean", factor.mean);
-    if (sine.has("phase")) c.phase = sine.number("phase", any_angle("a phase in rad"));
-    return c;
-  }
-  if (has("course")) {
-    constexpr std::string_view allowed = "points [[t, factor], ...] over time in s, t not falling";
-    PointCourse c{read_pairs(load, "course", allowed, time_range, factor.value)};
-    if (!std::ranges::is_sorted(c.points, {}, [](const auto& p) { return p[0]; })) load.refuse("course", allowed);
-    return c;
-  }
-  return ConstantCourse{};
-}
+// --- what presses on it
 
 // The normal force over time.
 Course read_pressing(const TomlReader& scene, bool point, FrictionMethod method) {
@@ -147,42 +60,29 @@ double read_growth(const TomlReader& scene, const Contact& contact) {
   return *contact.growth;
 }
 
-std::vector<Applied> read_applied(const TomlReader& scene, bool point) {
-  std::vector<Applied> loads;
-  if (!scene.has("applied")) return loads;
-  for (const TomlReader& load : scene.tables("applied", {"force", "moment", "during", "ramp", "sine", "course"})) {
-    if (!load.has("force") && !load.has("moment")) load.refuse_table("needs 'force' or 'moment'");
-    dynamics::Vector3 wrench = read_pair(load, "force", component, "a force [x, y] in N");
-    if (point && wrench[1] != 0) load.refuse("force", "a point moves along x: the second component is 0");
-    if (point && load.has("moment")) load.refuse("moment", "a point does not turn");
-    if (load.has("moment")) wrench[2] = load.number("moment", any_sign("a moment in N m"));
-    loads.push_back({wrench, read_course(load, {any_sign("a factor of the load"), any_sign("a mean")})});
-  }
-  return loads;
-}
-
 // --- how it is followed
 
-void read_bristles(const TomlReader& motion, bool point, Following& f) {
-  BristleSettings& b = f.bristle;
-  const bool half = f.method == FrictionMethod::half_freedom;
-  b.stiffness = motion.number("stiffness", positive("the stiffness of the bristles in N/m"));
-  if (half || motion.has("damping")) {
-    b.damping = motion.number("damping", half ? positive("a damping in N s/m") : non_negative("a damping in N s/m"));
+BristleSettings read_bristles(const TomlReader& table, bool point, FrictionMethod method) {
+  BristleSettings b;
+  const bool half = method == FrictionMethod::half_freedom;
+  b.stiffness = table.number("stiffness", positive("the stiffness of the bristles in N/m"));
+  if (half || table.has("damping")) {
+    b.damping = table.number("damping", half ? positive("a damping in N s/m") : non_negative("a damping in N s/m"));
   }
   if (point) {
     b.elastic_share = 0.9;
   } else {
-    b.turn_stiffness = motion.number("turn_stiffness", positive("the stiffness of the bristles to turns in N m"));
-    if (half || motion.has("turn_damping")) {
+    b.turn_stiffness = table.number("turn_stiffness", positive("the stiffness of the bristles to turns in N m"));
+    if (half || table.has("turn_damping")) {
       b.turn_damping =
-          motion.number("turn_damping", half ? positive("a damping in N m s") : non_negative("a damping in N m s"));
+          table.number("turn_damping", half ? positive("a damping in N m s") : non_negative("a damping in N m s"));
     }
   }
-  if (motion.has("elastic_share"))
-    b.elastic_share = motion.number("elastic_share", {"a share of the limit", 1e-3, 0.9999});
-  if (motion.has("nu0")) b.nu0 = motion.number("nu0", positive("nu_0"));
-  if (motion.has("length")) b.length = motion.number("length", positive("the length L of the metric in m"));
+  if (table.has("elastic_share"))
+    b.elastic_share = table.number("elastic_share", {"a share of the limit", 1e-3, 0.9999});
+  if (table.has("nu0")) b.nu0 = table.number("nu0", positive("nu_0"));
+  if (table.has("length")) b.length = table.number("length", positive("the length L of the metric in m"));
+  return b;
 }
 
 void refuse_unused(const TomlReader& motion, const Following& f, bool point) {
@@ -217,16 +117,18 @@ void check_method(const TomlReader& motion, FrictionMethod m, bool point) {
     motion.refuse("method", "of a patch: rigid, return_mapping, elastoplastic, elastoplastic_printed or half_freedom");
 }
 
+constexpr std::array<std::string_view, 16> motion_keys{
+    "method",        "integrator", "step",   "tolerance", "stiffness", "turn_stiffness", "damping",    "turn_damping",
+    "elastic_share", "nu0",        "length", "steepness", "zone_mass", "dead_band",      "rest_speed", "times"};
+
 Following read_following(const TomlReader& scene, bool point) {
   if (!scene.has("motion")) scene.refuse("motion", "a table [motion] with 'times', and 'method' unless it is rigid");
-  const TomlReader motion = scene.table(
-      "motion", {"method", "integrator", "step", "tolerance", "stiffness", "turn_stiffness", "damping", "turn_damping",
-                 "elastic_share", "nu0", "length", "steepness", "zone_mass", "dead_band", "rest_speed", "times"});
+  const TomlReader motion = scene.table("motion", motion_keys);
   Following f;
   if (motion.has("method")) f.method = static_cast<FrictionMethod>(motion.choice("method", method_names));
   check_method(motion, f.method, point);
   refuse_unused(motion, f, point);
-  if (has_bristles(f.method)) read_bristles(motion, point, f);
+  if (has_bristles(f.method)) f.bristle = read_bristles(motion, point, f.method);
   if (f.method == FrictionMethod::return_mapping) {
     constexpr std::array<std::string_view, 2> integrators{"sdirk2", "implicit_euler"};
     f.implicit_euler = motion.has("integrator") && motion.choice("integrator", integrators) == 1;
@@ -281,6 +183,37 @@ void check_damping(const TomlReader& scene, const Contact& contact, bool point, 
   }
 }
 
+void require_size(const TomlReader& scene, const Contact& contact) {
+  if (!(any_patch(contact).moments().polar > 0))
+    scene.refuse("contact", "a single point has patch = \"point\"; a body in the plane needs a contact with a size");
+}
+
+// --- what lies on it
+
+constexpr std::array<std::string_view, 5> upper_keys{"contact", "friction", "body", "applied", "bristles"};
+
+UpperBody read_upper(const TomlReader& scene, bool point, const Following& f, const MaterialLibrary& materials) {
+  const TomlReader upper = scene.table("upper", upper_keys);
+  if (point) scene.refuse("upper", "used on a body in the plane, not on a point");
+  if (f.method != FrictionMethod::return_mapping)
+    scene.refuse("upper", "a body on another one is followed by method = \"return_mapping\"");
+  if (scene.has("normal_force")) scene.refuse("normal_force", "not used with [upper]: the normal forces are constant");
+  if (f.rest_speed) scene.table("motion", motion_keys).refuse("rest_speed", "not used with [upper]");
+  if (!upper.has("contact")) upper.refuse("contact", "a table [upper.contact] with a patch, parts or two bodies");
+  const MovingBody body = read_body(upper, false);
+  if (body_table(upper).has("settled"))
+    body_table(upper).refuse("settled", "given in [body], for the bristles of both contacts");
+  if (!upper.has("bristles"))
+    upper.refuse("bristles", "a table [upper.bristles] with 'stiffness' and 'turn_stiffness'");
+  const TomlReader bristles = upper.table("bristles", {"stiffness", "turn_stiffness", "damping", "turn_damping"});
+  const BristleSettings bristle = read_bristles(bristles, false, f.method);
+  AppliedLoads loads(read_applied(upper, false));
+  Contact contact = read_contact(upper, materials);
+  require_size(upper, contact);
+  const friction::Law law = read_law(upper, contact, false, f);
+  return {std::move(contact), law, body, std::move(loads), bristle};
+}
+
 }  // namespace
 
 std::string_view name_of(FrictionMethod method) { return method_names[static_cast<std::size_t>(method)]; }
@@ -297,23 +230,34 @@ SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLi
   const MovingBody body = read_body(scene, point);
   Following following = read_following(scene, point);
   if (body.settled && !has_bristles(following.method)) {
-    scene.table("body", body_keys)
-        .refuse("settled", fmt::format("not used by method = \"{}\"", name_of(following.method)));
+    body_table(scene).refuse("settled", fmt::format("not used by method = \"{}\"", name_of(following.method)));
   }
   const Course pressing = read_pressing(scene, point, following.method);
-  AppliedLoads loads(read_applied(scene, point), {pressing});
+  std::optional<UpperBody> upper;
+  if (scene.has("upper")) upper = read_upper(scene, point, following, materials);
+  std::vector<Course> others{pressing};
+  if (upper) std::ranges::copy(upper->loads.courses(), std::back_inserter(others));
+  AppliedLoads loads(read_applied(scene, point), others);
   if (following.times[following.times.size() - 1] / loads.longest_step() > most_steps) {
     scene.refuse("applied", fmt::format("loads that change so fast need steps of {:.3g} s, more than {:.0e} of them",
                                         loads.longest_step(), most_steps));
   }
   Contact contact = read_contact(scene, materials);
   const double growth = read_growth(scene, contact);
-  if (!point && !(any_patch(contact).moments().polar > 0))
-    scene.refuse("contact", "a single point has patch = \"point\"; a body in the plane needs a contact with a size");
+  if (!point) require_size(scene, contact);
   const friction::Law law = read_law(scene, contact, point, following);
   if (following.method == FrictionMethod::half_freedom) check_damping(scene, contact, point, law, following.bristle);
-  return {std::move(title),     std::move(contact),   point, law, body, std::move(loads), pressing, growth,
-          std::move(following), scene.place("motion")};
+  return {std::move(title),
+          std::move(contact),
+          point,
+          law,
+          body,
+          std::move(loads),
+          pressing,
+          growth,
+          std::move(following),
+          std::move(upper),
+          scene.place("motion")};
 }
 
 }  // namespace patchgrip::cli

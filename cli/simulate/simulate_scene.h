@@ -2,7 +2,8 @@
 // and how its motion is followed.
 //
 // The format, key by key, is in data/scenes/README.md. A contact that is a single point makes a point mass, which moves
-// along x; every other a body in the plane, with its centre of mass at the origin of the contact frame.
+// along x; every other a body in the plane, with its centre of mass at the origin of the contact frame, and with
+// [upper] a second one on it.
 #pragma once
 
 #include <cmath>
@@ -16,6 +17,7 @@
 #include <patchgrip/cli/scene/sequence.h>
 #include <patchgrip/cli/scene/toml_document.h>
 #include <patchgrip/cli/simulate/applied.h>
+#include <patchgrip/cli/simulate/moving_body.h>
 #include <patchgrip/contact/require.h>
 #include <patchgrip/friction/law.h>
 
@@ -41,16 +43,6 @@ enum class FrictionMethod {
 
 std::string_view name_of(FrictionMethod method);
 
-struct MovingBody {
-  double mass;
-  double inertia = std::numeric_limits<double>::quiet_NaN();  // none of a point
-  dynamics::Vector3 place = dynamics::Vector3::Zero();
-  dynamics::Vector3 twist = dynamics::Vector3::Zero();
-  bool settled = false;           // bristles carry the load from the start
-  double spring = 0, damper = 0;  // of a point, to the origin
-  double support_speed = 0;       // of what a point rubs on
-};
-
 struct BristleSettings {
   double stiffness = 0, turn_stiffness = 0;  // [N/m], [N m]
   double damping = 0, turn_damping = 0;      // [N s/m], [N m s]
@@ -70,6 +62,15 @@ struct Following {
   double dead_band = 0;              // [m/s], of Karnopp
   std::optional<double> rest_speed;  // [m/s]
   Sequence times = Sequence::of_values({0});
+};
+
+// A body that lies on the one of the scene, its patch under its own centre of mass.
+struct UpperBody {
+  Contact contact;
+  friction::Law law;
+  MovingBody body;
+  AppliedLoads loads;
+  BristleSettings bristle;
 };
 
 struct SimulateScene {
@@ -93,6 +94,7 @@ struct SimulateScene {
   Course pressing;  // of the normal force
   double growth;    // of the patch, as Contact has it; 0 where the force does not change
   Following following;
+  std::optional<UpperBody> upper;
   Place place;  // [motion]
 };
 
