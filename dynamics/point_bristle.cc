@@ -64,6 +64,13 @@ double half_freedom_rate(const PointBristle& bristle, const Law& law, double nor
   return -v * (1 - alpha * (1 - nu * (1 - load_share(bristle, friction, kappa))));
 }
 
+double half_freedom_linearised_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
+                                    double v) noexcept {
+  const double size = std::fabs(bristle.c1 * v - bristle.c0 * kappa), held = law.mu_static * normal_force;
+  const double alpha = size > held ? switch_ramp(size / held) : 0;
+  return half_freedom_rate(bristle, law, normal_force, alpha, kappa, v);
+}
+
 double half_freedom_exact_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
                                double v) noexcept {
   const double pull = bristle.c1 * v - bristle.c0 * kappa, size = std::fabs(pull);

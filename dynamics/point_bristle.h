@@ -13,7 +13,9 @@
 //     beta   0 where the bristle relaxes (kappa v >= 0) or |kappa| <= kappa_1, 1 beyond kappa_2 = |S(v)| / c_0, and
 //            (|kappa| - kappa_1)^2 (3 kappa_2 - kappa_1 - 2 |kappa|) / (kappa_2 - kappa_1)^3 between
 //     alpha  a_v + a_F - a_v a_F, a_v = ramp(|v + dkappa/dt| / dv), a_F = ramp(|c_0 kappa + c_1 dkappa/dt| / mu_s F_N),
-//            ramp(x) from 0 at x = 1 to 1 at 1.01                                                       (4.35)
+//            ramp(x) from 0 at x = 1 to 1 at 1.01                                                       (4.35);
+//            it hangs on the rate that it is to give, so a motion takes a_F of what the bristle would carry if its zone
+//            stood still, alpha = ramp(|c_0 kappa - c_1 v| / mu_s F_N): the zone slides where the exact one does
 //
 // Boundary layer: the zone has a mass e,  e (dv/dt + d^2kappa/dt^2) = tanh(a |u|) S(u) + V(u) - c_0 kappa - c_1 dkappa/dt
 // with u = v + dkappa/dt (4.33, its friction smoothed as the seed does); e -> 0 is half a degree of freedom.
@@ -22,9 +24,9 @@
 // other sign. As printed example 4.7 never slides. Its nu has the bracket of mu(v) in the wrong place.
 //
 // Domain   any state. nu is singular, and negative below, where c_1 + mu_V F_N = 0.857764 (mu_s - mu_k) F_N / v_S at
-//          some v: there the half degree of freedom has no one solution; below, one of several is found. A bristle dissipates if r = c_1 |v| / |S| is
-//          at most rho^2 / (rho - 1), rho = mu_s / mu_k < 2, or 4 beyond; with nu_0 if nu_0 <= 1 / (1 - kappa_1 /
-//          kappa_2). Dahl and LuGre creep under a load that oscillates below the limit; elastoplastic does not.
+//          some v: there the half degree of freedom has no one solution; below, one of several is found. A bristle
+//          dissipates if r = c_1 |v| / |S| is at most rho^2 / (rho - 1), rho = mu_s / mu_k < 2, or 4 beyond; with nu_0
+//          if nu_0 <= 1 / (1 - kappa_1 / kappa_2); linearised if 0 <= nu (1 - c_0 kappa / S) <= 1. Dahl and LuGre creep under a load that oscillates below the limit; elastoplastic does not.
 // Units    c_0 [N/m], c_1 [N s/m]; kappa [m]; v [m/s]; R [N].
 // Error    a few units of rounding of the largest term; tests/dynamics/point_law_test.cc.
 // Throws   PointBristle::check std::invalid_argument, naming the parameter. Nothing else.
@@ -57,6 +59,10 @@ double extended_rate(const PointBristle& bristle, const Law& law, double normal_
 double half_freedom_gain(const PointBristle& bristle, const Law& law, double normal_force, double v) noexcept;
 double half_freedom_rate(const PointBristle& bristle, const Law& law, double normal_force, double alpha, double kappa,
                          double v) noexcept;
+
+// In motion, alpha by what the zone would carry at rest; c_1 > 0.
+double half_freedom_linearised_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
+                                    double v) noexcept;
 
 // By the root, instead of nu; c_1 > 0.
 double half_freedom_exact_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,

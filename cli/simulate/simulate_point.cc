@@ -127,7 +127,7 @@ class PointFriction {
   // From which share of the present limit on it slips.
   double yielding() const {
     if (method_ == FrictionMethod::elastoplastic) return bristle_.elastic_share;
-    return method_ == FrictionMethod::half_freedom ? 1 : nearly;
+    return is_half_freedom() ? 1 : nearly;
   }
 
   // Under the normal force F.
@@ -148,8 +148,10 @@ class PointFriction {
       return {bristle_force(bristle_, law_, F, kappa, kappa_rate, u), kappa_rate,
               std::tanh(zone.steepness * std::fabs(own)), boundary_layer_force(zone, law_, F, own)};
     }
-    if (method_ == FrictionMethod::half_freedom) {
-      const double rate = half_freedom_exact_rate(bristle_, law_, F, kappa, u);
+    if (is_half_freedom()) {
+      const double rate = method_ == FrictionMethod::half_freedom
+                              ? half_freedom_exact_rate(bristle_, law_, F, kappa, u)
+                              : half_freedom_linearised_rate(bristle_, law_, F, kappa, u);
       const double pull = std::fabs(bristle_.c0 * kappa - bristle_.c1 * u);
       return {bristle_force(bristle_, law_, F, kappa, rate, u), rate, S > 0 ? pull / S : 2};
     }
@@ -161,9 +163,10 @@ class PointFriction {
   }
 
  private:
-  bool acts_on_zone() const {
-    return method_ == FrictionMethod::half_freedom || method_ == FrictionMethod::boundary_layer;
+  bool is_half_freedom() const {
+    return method_ == FrictionMethod::half_freedom || method_ == FrictionMethod::half_freedom_linearised;
   }
+  bool acts_on_zone() const { return is_half_freedom() || method_ == FrictionMethod::boundary_layer; }
 
   friction::Law law_;
   FrictionMethod method_;

@@ -20,12 +20,16 @@ namespace {
 
 constexpr Quantity time_range = non_negative("a time in s");
 
-constexpr std::array<std::string_view, 10> method_names{
-    "rigid",          "return_mapping", "elastoplastic", "elastoplastic_printed", "half_freedom", "lugre", "dahl",
+constexpr std::array<std::string_view, 11> method_names{
+    "rigid",          "return_mapping", "elastoplastic", "elastoplastic_printed",
+    "half_freedom",   "lugre",          "dahl",          "half_freedom_linearised",
     "boundary_layer", "tanh",           "karnopp"};
 
 bool has_bristles(FrictionMethod m) {
   return m >= FrictionMethod::return_mapping && m <= FrictionMethod::boundary_layer;
+}
+bool is_half_freedom(FrictionMethod m) {
+  return m == FrictionMethod::half_freedom || m == FrictionMethod::half_freedom_linearised;
 }
 bool is_smooth_patch(FrictionMethod m) {
   return m >= FrictionMethod::elastoplastic && m <= FrictionMethod::half_freedom;
@@ -39,8 +43,8 @@ Course read_pressing(const TomlReader& scene, bool point, FrictionMethod method)
   const TomlReader table = scene.table("normal_force", courses);
   if (!point && is_smooth_patch(method))
     scene.refuse("normal_force", fmt::format("not used by method = \"{}\" of a patch", name_of(method)));
-  if (method == FrictionMethod::half_freedom)  // its damping bounds one force
-    scene.refuse("normal_force", "not used by method = \"half_freedom\"");
+  if (is_half_freedom(method))  // its damping bounds one force
+    scene.refuse("normal_force", fmt::format("not used by method = \"{}\"", name_of(method)));
   return read_course(table, {non_negative("a factor of the normal force, which only presses"),
                              {"a mean of the factor of the normal force, which only presses", 1, largest_size}});
 }
@@ -64,7 +68,7 @@ double read_growth(const TomlReader& scene, const Contact& contact) {
 
 BristleSettings read_bristles(const TomlReader& table, bool point, FrictionMethod method) {
   BristleSettings b;
-  const bool half = method == FrictionMethod::half_freedom;
+  const bool half = is_half_freedom(method);
   b.stiffness = table.number("stiffness", positive("the stiffness of the bristles in N/m"));
   if (half || table.has("damping")) {
     b.damping = table.number("damping", half ? positive("a damping in N s/m") : non_negative("a damping in N s/m"));
@@ -111,7 +115,8 @@ void check_method(const TomlReader& motion, FrictionMethod m, bool point) {
   const bool of_patches = m <= FrictionMethod::half_freedom;
   if (point && !of_points) {
     motion.refuse("method",
-                  "of a point: rigid, elastoplastic, half_freedom, lugre, dahl, boundary_layer, tanh or karnopp");
+                  "of a point: rigid, elastoplastic, half_freedom, half_freedom_linearised, lugre, dahl, "
+                  "boundary_layer, tanh or karnopp");
   }
   if (!point && !of_patches)
     motion.refuse("method", "of a patch: rigid, return_mapping, elastoplastic, elastoplastic_printed or half_freedom");
@@ -246,7 +251,7 @@ SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLi
   const double growth = read_growth(scene, contact);
   if (!point) require_size(scene, contact);
   const friction::Law law = read_law(scene, contact, point, following);
-  if (following.method == FrictionMethod::half_freedom) check_damping(scene, contact, point, law, following.bristle);
+  if (is_half_freedom(following.method)) check_damping(scene, contact, point, law, following.bristle);
   return {std::move(title),
           std::move(contact),
           point,

@@ -36,6 +36,7 @@ enum class FrictionMethod {
   half_freedom,
   lugre,
   dahl,
+  half_freedom_linearised,
   boundary_layer,
   tanh,
   karnopp

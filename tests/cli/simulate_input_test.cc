@@ -70,6 +70,13 @@ std::vector<BadScene> bad_scenes() {
        point("[motion]", "[motion]\nmethod = \"half_freedom\"\nstiffness = 1\ndamping = 1")
            .replace(good_point.find("mu = 0.5"), 8, "mu_static = 0.5\nmu_kinetic = 0.3\nstribeck_velocity = 0.01"),
        14, "damping must be above 171.553 N s/m, or the zone jumps"},
+      {"LinearisedWithoutDamping", point("[motion]", "[motion]\nmethod = \"half_freedom_linearised\"\nstiffness = 1"),
+       12, "motion.damping: missing: a damping in N s/m"},
+      {"LinearisedDampedTooLittle",
+       point("[motion]", "[motion]\nmethod = \"half_freedom_linearised\"\nstiffness = 1\ndamping = 1")
+           .replace(good_point.find("mu = 0.5"), 8, "mu_static = 0.5\nmu_kinetic = 0.3\nstribeck_velocity = 0.01"),
+       14, "damping must be above 171.553 N s/m, or the zone jumps"},
+      {"LinearisedOfABody", method("method = \"half_freedom_linearised\""), 13, "of a patch: rigid, return_mapping"},
       {"BoundaryLayerOfABody", method("method = \"boundary_layer\""), 13, "of a patch: rigid, return_mapping"},
       {"ZoneMassOfTanh", point("[motion]", "[motion]\nmethod = \"tanh\"\nzone_mass = 1"), 14,
        "motion.zone_mass = 1: not used by method = \"tanh\""},

@@ -70,6 +70,15 @@ TEST_F(Simulate, HalfADegreeOfFreedomStopsTheDiscNearReturnMapping) {
   EXPECT_NEAR(puck.table["turn_rad"].back(), 3.27323081330, 1e-3);
 }
 
+// What the linearised law leaves out is small where friction hardly changes with the speed of the zone.
+TEST_F(Simulate, LinearisedHalfFreedomStopsNearTheExactOne) {
+  const Answer exact = committed("block_half_freedom"), linear = committed("block_half_freedom_linearised");
+  EXPECT_NEAR(linear.value("stop_time"), exact.value("stop_time"), 1e-3);
+  EXPECT_NEAR(linear.value("stop_distance"), exact.value("stop_distance"), 1e-5);
+  EXPECT_GT(std::fabs(linear.value("stop_time") - exact.value("stop_time")), 10 * exact.error("stop_time"));
+  EXPECT_LE(linear.value("drift_in_stick"), 1e-13);
+}
+
 // A zone with a mass and smoothed friction tends to one without, which tends to the rigid block.
 TEST_F(Simulate, ABoundaryLayerTendsToHalfADegreeOfFreedom) {
   const Answer half = committed("block_half_freedom"), layer = committed("block_boundary_layer");

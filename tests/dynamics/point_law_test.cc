@@ -113,6 +113,24 @@ TEST(PointBristle, TheZoneOfHalfADegreeOfFreedomIsInBalance) {
   }
 }
 
+// It sticks where the exact law does, and beyond 1.01 of that errs with the square of how much slower the zone slides.
+TEST(PointBristle, TheLinearisedHalfFreedomIsTheExactOneToFirstOrder) {
+  const Law law = Law::stribeck(0.9, 0.4, 0.2).with_viscous(0.05);
+  const PointBristle bristle{3e4, 500};
+  EXPECT_EQ(half_freedom_linearised_rate(bristle, law, 20, 3e-4, 0.002), -0.002);
+  EXPECT_EQ(half_freedom_linearised_rate(bristle, law, 20, 0, 0), 0);
+  for (const double v : {-0.3, 0.1, 2.}) {
+    const double steady = (stribeck_force(law, 20, v) + viscous_force(law, 20, v)) / bristle.c0;
+    EXPECT_NEAR(half_freedom_linearised_rate(bristle, law, 20, steady, v), 0, 1e-14);
+    const auto error = [&](double off) {
+      const double exact = half_freedom_exact_rate(bristle, law, 20, steady * (1 + off), v);
+      EXPECT_GT(std::fabs(exact), 1e-7);
+      return std::fabs(half_freedom_linearised_rate(bristle, law, 20, steady * (1 + off), v) - exact);
+    };
+    EXPECT_LE(error(1e-3), 3e-2 * error(1e-2) + 1e-15) << v;
+  }
+}
+
 // Smoothed friction of a boundary layer: that of the law beyond a few 1 / a.
 TEST(PointBristle, ABoundaryLayerRubsByTheLaw) {
   const Law law = Law::stribeck(0.9, 0.4, 0.02).with_viscous(0.05);
