@@ -1,26 +1,30 @@
 // Return mapping of a round patch about its own centre, K = diag(k, k, k_r): one equation in one variable.
 //
-// Force and moment per L (and a) at the pole distance x = r_M / a are f(x) and m(x), m' = -x f'. With F and M those of
-// the trial and rho = k a^2 / k_r the closest point (returned.h) is where the normal (x, 1) of the limit curve points
-// at the trial,
+// Force and moment per L (and a) at the pole distance x = r_M / a are f(x) and m(x), m' = -x f'; beyond the rim they
+// are taken over u = 1/x, where f' = -u m'. F and M are those of the trial, rho = k a^2 / k_r. With
 //
-//     r(x) = F - f(x) - rho x [M - m(x)] = 0,        u = 1/x beyond the rim:  u (F - f) - rho (M - m) = 0
+//     (G, g), (H, h), y, kappa  =  (F, f), (M, m), x, rho  inside,     (M, m), (F, f), u, 1 / rho  beyond
 //
-//     lambda = [(F - f) x + M - m] / (1 + rho x^2),      w = L a lambda / k_r,   V = a x w
+// the closest point (returned.h) is where the normal of the limit curve points at the trial,
 //
-// lambda is the distance along the normal: negative for every x if the trial is inside, so that its sign decides
-// between stick and slip, and never the difference s* - s, which has no digits left for small overshoot.
+//     r(y) = G - g - kappa y (H - h) = 0,      lambda = [(G - g) y + H - h] / (1 + kappa y^2)
 //
-// Newton's method from the closest point of the ellipsoid with the same axes. r falls with x where F >= f and M >= m;
-// on the other side of either the sign of the missing part says where the root is.
+// and slips by w = L a lambda / k_r, V = a x w inside and by V = L lambda / k, a w = u V beyond. lambda is the distance
+// along the normal: negative everywhere if the trial is inside of L B, so that its sign decides between stick and slip,
+// and never the difference s* - s, which has no digits left for small overshoot.
+//
+// From the root of a polynomial model (limit_curve_model.h) Halley's method: where g'' is known one evaluation and a
+// Taylor polynomial are mostly all. r falls with y where G >= g and H >= h; on the other side of either the sign of the
+// missing part says where the root is.
 //
 // Domain   every trial, every limit L >= 0 (with L = 0 all of it slips); k, k_r > 0. Any RoundPatch.
 // Units    k [N/m], k_r [N m].
-// Error    carried: rounding of f and m, and what rounding of r leaves of x, doubled. Some 1e-15 L, of the force times
+// Error    carried: rounding of f and m, and what rounding of r leaves of y, doubled. Some 1e-15 L, of the force times
 //          sqrt(rho) and of the moment times a / sqrt(rho) where those are more: the closest point is known as well as
 //          that in the norm of K^-1. tests/dynamics/round_return_mapping_test.cc, also for overshoot from 1e-12 to 1e9
 //          and rho from 1e-6 to 1e6.
-// Cost     2.7 evaluations of f, m and f' in the mean, 12 at most (bench/return_mapping.cc).
+// Cost     of a Hertz disc one evaluation of f, m, f' and f'' for 99 % of what slips at once, 12 at most; where f'' is
+//          not known 2.3 in the mean (bench/return_mapping.cc).
 // Throws   nothing. A trial or a limit that is not finite, or a negative limit, gives not-a-number and an infinite
 //          error.
 #pragma once
@@ -30,6 +34,7 @@
 #include <limits>
 #include <utility>
 
+#include <patchgrip/dynamics/limit_curve_model.h>
 #include <patchgrip/dynamics/returned.h>
 #include <patchgrip/friction/round_patch.h>
 
@@ -43,144 +48,159 @@ struct RoundStiffness {
 template <class P>
 class RoundReturnMapping {
  public:
-  explicit RoundReturnMapping(P patch) : patch_(std::move(patch)) {
-    const Point rim = at_inside(1);
-    rim_force_ = rim.f;
-    rim_moment_ = rim.m;
-    centre_moment_ = at_inside(0).m;
-    inner_ = inner_ellipsoid();
-  }
+  explicit RoundReturnMapping(P patch)
+      : patch_(std::move(patch)),
+        inside_([&](double x) { return inside(x); }),
+        outside_([&](double u) { return outside(u); }),
+        rim_(inside(1)),
+        inverse_radius_(1 / patch_.radius()),
+        inverse_centre_(1 / inside(0).h),
+        inner_(inner_ellipsoid()) {}
 
   const P& patch() const noexcept { return patch_; }
 
   // The closest point of L B to `trial`; `limit` L = mu F_N [N].
   Returned operator()(const friction::Wrench& trial, double limit, const RoundStiffness& K) const noexcept {
-    if (limit == 0) return {{}, {trial.fx / K.k, trial.fy / K.k, trial.m / K.k_r}, true, 0};
-    const double a = patch_.radius();
-    const double size = length_of(trial);
-    const double F = size / limit, M = std::fabs(trial.m) / (a * limit), n = M / centre_moment_;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!(limit > 0 && limit < infinity && F + M < infinity)) return not_finite();
+    if (!(limit > smallest && limit < largest)) [[unlikely]]
+      return out_of_range(trial, limit, K);
+    const double a = patch_.radius(), inverse = 1 / limit, size = length_of(trial);
+    const double F = size * inverse, M = std::fabs(trial.m) * (inverse_radius_ * inverse), n = M * inverse_centre_;
+    if (!(F + M < std::numeric_limits<double>::infinity())) return not_finite();
     if (F * F + n * n <= inner_) return {{trial, 0, 0}, {}, false, 0};
 
-    Search s{F, M, K.k * a * a / K.k_r};
-    if (F <= rim_force_ || (M > rim_moment_ && F - rim_force_ <= s.rho * (M - rim_moment_))) {
-      search_inside(s);
-    } else {
-      search_outside(s);
+    const double k = K.k * a * a;
+    // Both conditions, as the second is likely only where the first is not.
+    if ((F <= rim_.g) | ((M > rim_.h) & ((F - rim_.g) * K.k_r <= k * (M - rim_.h)))) {
+      const Closest c = search(F, M, k / K.k_r, inside_, [&](double x) { return inside(x); });
+      const double w = c.lambda * (limit * a / K.k_r);
+      return returned(trial, size, limit, {c.g, c.h, a * c.y * w, w, c.error, c.y * c.error}, c);
     }
-    const double force = s.f * limit, moment = s.m * a * limit;
-    if (!(s.lambda > 0 || s.lambda_x > 0))
-      return {{trial, 8 * unit * force, 8 * unit * moment}, {}, false, s.evaluations};
-    const double ex = size > 0 ? trial.fx / size : 0, ey = size > 0 ? trial.fy / size : 0;
-    const double w = limit * a / K.k_r * s.lambda, V = a * limit * a / K.k_r * s.lambda_x;
-    return {{{force * ex, force * ey, std::copysign(moment, trial.m)},
-             12 * unit * force + 2 * limit * s.df,
-             12 * unit * moment + 2 * limit * a * s.dm},
-            {V * ex, V * ey, std::copysign(w, trial.m)},
-            true,
-            s.evaluations};
+    const Closest c = search(M, F, K.k_r / k, outside_, [&](double u) { return outside(u); });
+    const double V = c.lambda * (limit / K.k);
+    return returned(trial, size, limit, {c.h, c.g, V, inverse_radius_ * c.y * V, c.y * c.error, c.error}, c);
   }
 
  private:
   static constexpr double unit = 0x1p-53;
   static constexpr int max_steps = 80;
   static constexpr double last_step = 1e-8;  // relative: after it what Newton's method leaves is rounding
+  // Of what limit and force may be without being scaled.
+  static constexpr double smallest = 0x1p-900, largest = 0x1p900;
 
-  struct Point {
+  // g, h and g' on one side of the rim; h' = -y g'.
+  struct Place {
+    double g, h, slope;
+    double bend;  // g'', not a number where it is not known
+  };
+
+  struct Closest {
+    double g, h;
+    double y;
+    double lambda;
+    double error;  // of g; that of h is y times as much
+    int evaluations;
+  };
+
+  // Sizes per L (and a).
+  struct Sizes {
     double f, m;
+    double V, w;
+    double df, dm;
   };
 
-  struct Search {
-    double F, M, rho;
-    double f = 0, m = 0;
-    double lambda = 0, lambda_x = 0;  // lambda x
-    double df = 0, dm = 0;            // errors of f and m
-    int evaluations = 0;
+  Place inside(double x) const noexcept {
+    const friction::CurvePoint p = patch_.kernel().inside(x);
+    return {p.f, p.m, p.slope, p.bend};
+  }
+  Place outside(double u) const noexcept {
+    const friction::CurvePoint p = patch_.kernel().outside(u);
+    return {p.m, p.f, p.slope, p.bend};
+  }
 
-    void set(const Point& p, double l, double l_x, double error_f, double error_m) noexcept {
-      f = p.f, m = p.m, lambda = l, lambda_x = l_x, df = error_f, dm = error_m;
-    }
-  };
+  // |(fx, fy)| without hypot where squares stay finite and normal.
+  static double length_of(const friction::Wrench& t) noexcept {
+    const double square = t.fx * t.fx + t.fy * t.fy;
+    return square > smallest && square < largest ? std::sqrt(square) : std::hypot(t.fx, t.fy);
+  }
 
   static Returned not_finite() noexcept {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(), none = std::numeric_limits<double>::infinity();
     return {{{nan, nan, nan}, none, none}, {nan, nan, nan}, true, 0};
   }
 
-  // |(fx, fy)| without hypot where squares stay finite and normal.
-  static double length_of(const friction::Wrench& t) noexcept {
-    const double square = t.fx * t.fx + t.fy * t.fy;
-    return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(t.fx, t.fy);
+  [[gnu::noinline]] Returned out_of_range(const friction::Wrench& t, double limit,
+                                          const RoundStiffness& K) const noexcept {
+    if (limit == 0) return {{}, {t.fx / K.k, t.fy / K.k, t.m / K.k_r}, true, 0};
+    if (!(limit > 0 && limit < std::numeric_limits<double>::infinity())) return not_finite();
+    const double up = limit < 1 ? 0x1p600 : 0x1p-600, down = 1 / up;
+    const Returned r = (*this)({up * t.fx, up * t.fy, up * t.m}, up * limit, K);
+    const auto& [s, force_error, moment_error] = r.wrench;
+    const friction::Twist& u = r.slip;
+    return {{{down * s.fx, down * s.fy, down * s.m}, down * force_error, down * moment_error},
+            {down * u.vx, down * u.vy, down * u.w},
+            r.slips,
+            r.evaluations};
   }
 
-  Point at(double V, double W) const noexcept {
-    const friction::RoundTwist t({V, 0, W}, 1);
-    const friction::RoundGradient g = patch_.kernel().gradient(t);
-    return {g.force_per_speed * V, g.moment_per_radius};
+  Returned returned(const friction::Wrench& trial, double size, double limit, const Sizes& s,
+                    const Closest& c) const noexcept {
+    const double moment_limit = limit * patch_.radius(), force = limit * s.f, moment = moment_limit * s.m;
+    if (!(c.lambda > 0)) return {{trial, 8 * unit * force, 8 * unit * moment}, {}, false, c.evaluations};
+    const double inverse = size > smallest ? 1 / size : 0, ex = trial.fx * inverse, ey = trial.fy * inverse;
+    return {{{force * ex, force * ey, std::copysign(moment, trial.m)},
+             12 * unit * force + 2 * limit * s.df,
+             12 * unit * moment + 2 * moment_limit * s.dm},
+            {s.V * ex, s.V * ey, std::copysign(s.w, trial.m)},
+            true,
+            c.evaluations};
   }
-  Point at_inside(double x) const noexcept { return at(x, 1); }
-  Point at_outside(double u) const noexcept { return at(1, u); }
-  // f' inside, f' / u^3 outside; infinite with the pole on a line load.
-  double slope(double V, double W) const noexcept { return patch_.kernel().slope(friction::RoundTwist({V, 0, W}, 1)); }
 
   // Least of f^2 + (m / m_0)^2 over the limit curve, a little less: what is inside of it sticks.
   double inner_ellipsoid() const noexcept {
     constexpr int samples = 512;
     double least = 1;
     for (int i = 1; i < samples; ++i) {
-      const double share = static_cast<double>(i) / samples;
-      for (const Point& p : {at_inside(share), at_outside(share)}) {
-        const double n = p.m / centre_moment_;
-        least = std::min(least, p.f * p.f + n * n);
-      }
+      const double y = static_cast<double>(i) / samples;
+      const Place p = inside(y), q = outside(y);
+      const double n = p.h * inverse_centre_, l = q.g * inverse_centre_;
+      least = std::min({least, p.g * p.g + n * n, q.h * q.h + l * l});
     }
     return least * (1 - 1e-3);
   }
 
-  // V and W of the closest point of the ellipsoid f^2 + (m / m_0)^2 = 1: f = F / (1 + t), m = M / (1 + q t), one step
-  // of Newton's method from t = 0 for 1 / sqrt(f^2 + (m / m_0)^2), which is almost straight.
-  std::pair<double, double> start(const Search& s) const noexcept {
-    const double n2 = s.M * s.M / (centre_moment_ * centre_moment_), F2 = s.F * s.F, N = F2 + n2;
-    const double e2rho = centre_moment_ * centre_moment_ * s.rho;
-    const double t = std::max(0., (std::sqrt(N) - 1) * N * e2rho / (F2 * e2rho + n2));
-    return {s.F * (e2rho + t), s.rho * s.M * (1 + t)};
-  }
-
-  void search_inside(Search& s) const noexcept {
-    const auto [V, W] = start(s);
-    Root root{V < W ? V / W : 1};
-    for (;;) {
-      const double x = root.place;
-      const Point p = at_inside(x);
-      ++s.evaluations;
-      const double F = s.F - p.f, M = s.M - p.m, terms = 1 + s.rho * x * x, swing = s.rho * std::max(M, 0.);
-      if (F <= 0 && M <= 0) return s.set(p, 0, 0, 0, 0);  // it sticks
-      const double r = F - s.rho * x * M, rounding = 4 * unit * (s.F + p.f + s.rho * x * (s.M + p.m));
-      const double curvature = slope(x, 1);
-      if (root.step(r, rounding, M < 0 || (r > 0 && F >= 0), r / (curvature * terms + swing), curvature)) continue;
-      const double df = (std::fabs(r) + rounding) * share(curvature, terms, swing), lambda = (F * x + M) / terms;
-      s.set(p, lambda, lambda * x, df, x * df);
-      return;
+  template <class Model, class Curve>
+  static Closest search(double G, double H, double kappa, const Model& model, const Curve& curve) noexcept {
+    Root root{model.root(G, H, kappa)};
+    for (int evaluations = 1;; ++evaluations) {
+      double y = root.place;
+      Place p = curve(y);
+      const double g = G - p.g, h = H - p.h, terms = 1 + kappa * y * y;
+      if (g <= 0 && h <= 0) return {p.g, p.h, y, 0, 0, evaluations};  // it sticks
+      const double r = g - kappa * y * h, rounding = 4 * unit * (G + p.g + kappa * y * (H + p.h));
+      // -r', never below half of what g >= 0 and h >= 0 leave of it.
+      const double curvature = p.slope * terms, fall = curvature + std::max(kappa * h, -curvature / 2);
+      double step = r / fall, left = std::fabs(r);
+      if (!std::isnan(p.bend)) {
+        step = r * fall / (fall * fall + r / 2 * (p.bend * terms + 3 * kappa * y * p.slope));
+        if (is_small(step, y)) {
+          p.g += step * (p.slope + step / 2 * p.bend);
+          p.h -= step * (y * p.slope + step / 2 * (p.slope + y * p.bend));
+          y += step;
+          left = 0;
+        }
+      }
+      if (left > 0 && root.step(r, rounding, g >= 0 && (r > 0 || h < 0), step, p.slope)) continue;
+      const double share = std::isinf(p.slope) ? 1 / terms : p.slope / fall;
+      const double lambda = ((G - p.g) * y + (H - p.h)) / (1 + kappa * y * y);
+      return {p.g, p.h, y, lambda, (left + rounding) * share, evaluations};
     }
   }
 
-  void search_outside(Search& s) const noexcept {
-    const auto [V, W] = start(s);
-    Root root{W < V ? W / V : 1};
-    for (;;) {
-      const double u = root.place;
-      const Point p = at_outside(u);
-      ++s.evaluations;
-      const double F = s.F - p.f, M = s.M - p.m, terms = u * u + s.rho, swing = std::max(F, 0.);
-      if (F <= 0 && M <= 0) return s.set(p, 0, 0, 0, 0);
-      const double r = s.rho * M - u * F, rounding = 4 * unit * (u * (s.F + p.f) + s.rho * (s.M + p.m));
-      const double curvature = slope(1, u);
-      if (root.step(r, rounding, M >= 0 && (r > 0 || F < 0), r / (curvature * terms + swing), curvature)) continue;
-      const double dm = (std::fabs(r) + rounding) * share(curvature, terms, swing), lambda_x = (F + u * M) / terms;
-      s.set(p, lambda_x * u, lambda_x, u * dm, dm);
-      return;
-    }
+  // What Halley's method and the Taylor polynomial leave out of y, the step's cube per y^2, and g''' over the root of
+  // the distance from the rim, is less than rounding.
+  static bool is_small(double step, double y) noexcept {
+    const double share = step / y, square = share * share, next = y + step;
+    return square * square * square <= 0x1p-108 * std::max(1 - y, std::fabs(step)) && next >= 0 && next <= 1;
   }
 
   // In [0, 1], of a function that is positive below it and negative beyond.
@@ -207,14 +227,20 @@ class RoundReturnMapping {
     }
   };
 
-  // c / (c a + b), also where c is infinite.
-  static double share(double c, double a, double b) noexcept { return std::isinf(c) ? 1 / a : c / (c * a + b); }
+  using Kernel = std::remove_cvref_t<decltype(std::declval<P>().kernel())>;
+  static constexpr std::size_t model_terms = 8;
+  static constexpr std::size_t inner_terms = [] {
+    if constexpr (requires { Kernel::inside_terms; }) return Kernel::inside_terms;
+    return model_terms;
+  }();
 
   P patch_;
-  double rim_force_;  // f and m with the pole on the rim
-  double rim_moment_;
-  double centre_moment_;  // m_0
-  double inner_;          // squared radius of the inner ellipsoid with the axes 1 and m_0
+  LimitCurveModel<inner_terms> inside_;
+  LimitCurveModel<model_terms> outside_;
+  Place rim_;  // from inside
+  double inverse_radius_;
+  double inverse_centre_;  // 1 / m_0
+  double inner_;           // squared radius of the inner ellipsoid with the axes 1 and m_0
 };
 
 }  // namespace patchgrip::dynamics

@@ -46,6 +46,13 @@ struct RoundGradient {
   double moment_per_radius;
 };
 
+// What a kernel says of the limit curve of unit radius at a pole: f, m and f' inside, f' / u^3 outside, where `bend` is
+// the derivative of that by u if it is known and bounded.
+struct CurvePoint {
+  double f, m, slope;
+  double bend = std::numeric_limits<double>::quiet_NaN();
+};
+
 template <class Kernel>
 class RoundPatch {
  public:

@@ -18,22 +18,39 @@
 
 namespace patchgrip::friction::kernels {
 
+// The derivative of s = f' / u^3 by u is -u (dp/dR / R) ds/dp with dp/dR / R = (sqrt 2 + 1 - (sqrt 2 - 1) p)^3 / (2 sqrt
+// 2 (1 + p)). Where s has no first power of R, p = -1 is a root of ds/dp. From the powers of p in s those in -ds/dp / (2
+// sqrt 2 (1 + p)), the last two 0.
+template <std::size_t N>
+constexpr std::array<double, N> bend_of(const std::array<double, N>& s) noexcept {
+  std::array<double, N> result{};
+  double quotient = 0;
+  for (std::size_t k = N - 1; k > 1; --k) {
+    quotient = static_cast<double>(k) * s[k] - quotient;
+    result[k - 2] = -quotient / (2 * std::numbers::sqrt2);
+  }
+  return result;
+}
+
 struct HertzCoefficients {
   // Powers of z inside.
   static constexpr std::array force_inside{3 * std::numbers::pi / 8, -3 * std::numbers::pi / 32};
   static constexpr std::array moment_inside{3 * std::numbers::pi / 16, -3 * std::numbers::pi / 16,
                                             9 * std::numbers::pi / 128};
   static constexpr std::array slope_inside{3 * std::numbers::pi / 8, -9 * std::numbers::pi / 32};
+  static constexpr std::array bend_inside{-9 * std::numbers::pi / 32};
   // Powers of p outside.
   static constexpr const auto& force = hertz_force;
   static constexpr const auto& moment = hertz_moment;
   static constexpr const auto& slope = hertz_slope;
+  static constexpr auto bend = bend_of(hertz_slope);
 };
 
 struct FlatPunchCoefficients {
   static constexpr std::array force_inside{std::numbers::pi / 4};
   static constexpr std::array moment_inside{std::numbers::pi / 4, -std::numbers::pi / 8};
   static constexpr std::array slope_inside{std::numbers::pi / 4};
+  static constexpr std::array bend_inside{0.};
   static constexpr const auto& force = flat_punch_force;
   static constexpr const auto& moment = flat_punch_moment;
   static constexpr const auto& slope = flat_punch_slope;
@@ -63,6 +80,28 @@ struct MoebiusKernel {
     if (pole_inside(t)) return horner(Coefficients::slope_inside, t.V2 / t.W2);
     const double R2 = std::max(rim_excess(t.vx, t.vy, t.w, t.radius), 0.0);
     return polynomial(Coefficients::slope, variable(R2, std::sqrt(t.V2)));
+  }
+
+  // f / x and m are polynomials of so many terms in x^2.
+  static constexpr std::size_t inside_terms = Coefficients::moment_inside.size();
+
+  static CurvePoint inside(double x) noexcept {
+    const double z = x * x;
+    return {x * horner(Coefficients::force_inside, z), horner(Coefficients::moment_inside, z),
+            horner(Coefficients::slope_inside, z), 2 * x * horner(Coefficients::bend_inside, z)};
+  }
+
+  static CurvePoint outside(double u) noexcept {
+    const double p = variable((1 - u) * (1 + u), 1);
+    const Pair g = polynomial(gradient_pairs, p);
+    if constexpr (requires { Coefficients::bend; }) {
+      static constexpr auto slopes = paired(Coefficients::slope, Coefficients::bend);
+      const Pair s = polynomial(slopes, p);
+      const double c = moebius_plus - moebius_minus * p;
+      return {g[0], u * g[1], s[0], u * (c * c * c) * s[1]};
+    } else {
+      return {g[0], u * g[1], polynomial(Coefficients::slope, p)};
+    }
   }
 
  private:

@@ -28,6 +28,15 @@ struct SeedKernel {
     if (pole_inside(t)) return 1.178 - 0.882 * t.V2 / t.W2;
     return 0.192 + 0.080 * t.W2 / t.V2;
   }
+
+  static CurvePoint inside(double x) noexcept { return at({{x, 0, 1}, 1}); }
+  static CurvePoint outside(double u) noexcept { return at({{1, 0, u}, 1}); }
+
+ private:
+  static CurvePoint at(const RoundTwist& t) noexcept {
+    const RoundGradient g = gradient(t);
+    return {g.force_per_speed * t.vx, g.moment_per_radius, slope(t)};
+  }
 };
 
 }  // namespace patchgrip::friction::kernels

@@ -29,6 +29,16 @@ class TableKernel {
     return table_->slope(p.inside, p.d, p.x);
   }
 
+  CurvePoint inside(double x) const noexcept {
+    const Pair g = table_->gradient(true, 1 - x, x);
+    return {x * g[0], g[1], table_->slope(true, 1 - x, x)};
+  }
+
+  CurvePoint outside(double u) const noexcept {
+    const Pair g = table_->gradient(false, 1 - u, 1);
+    return {g[0], u * g[1], table_->slope(false, 1 - u, 1)};
+  }
+
  private:
   struct Place {
     explicit Place(const RoundTwist& t) noexcept {

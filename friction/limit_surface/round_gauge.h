@@ -29,9 +29,9 @@ template <class P>
 class RoundLimitSurface {
  public:
   explicit RoundLimitSurface(P patch) : patch_(std::move(patch)) {
-    const Point rim = at({1, 0, 1});
+    const CurvePoint rim = patch_.kernel().inside(1);
     rim_ratio_ = rim.f / rim.m;
-    centre_moment_ = at({0, 0, 1}).m;
+    centre_moment_ = patch_.kernel().inside(0).m;
     spread_ = patch_.moments().polar / (2 * patch_.radius() * patch_.radius());
   }
 
@@ -47,7 +47,7 @@ class RoundLimitSurface {
     const bool inside = F <= rim_ratio_ * M;
     Gauge g;
     const double root = inside ? inside_root(F / M, g.evaluations) : outside_root(M / F, g.evaluations);
-    const Point p = inside ? at({root, 0, 1}) : at({1, 0, root});
+    const CurvePoint p = inside ? patch_.kernel().inside(root) : patch_.kernel().outside(root);
     ++g.evaluations;
     const double V = inside ? root : 1, W = inside ? 1 : root;
     const double D = V * p.f + W * p.m;
@@ -67,35 +67,22 @@ class RoundLimitSurface {
   static constexpr double unit = 0x1p-53;
   static constexpr int max_steps = 60;
 
-  struct Point {
-    double f, m;  // m per a
-  };
-
-  // Unit radius.
-  Point at(const Twist& v) const noexcept {
-    const RoundTwist t(v, 1);
-    const RoundGradient g = patch_.kernel().gradient(t);
-    return {g.force_per_speed * v.vx, g.moment_per_radius};
-  }
-
-  double slope(const Twist& v) const noexcept { return patch_.kernel().slope(RoundTwist(v, 1)); }
-
   // f - q m = 0: d/dx of it is f' (1 + q x).
   double inside_root(double q, int& evaluations) const noexcept {
     const double z = 3 * spread_ * q * q;
     return root(q * spread_ * (1 + 3 / (1 + std::sqrt(1 + z))), evaluations, [&](double x) {
-      const Point p = at({x, 0, 1});
-      return std::pair{p.f - q * p.m, slope({x, 0, 1}) * (1 + q * x)};
+      const CurvePoint p = patch_.kernel().inside(x);
+      return std::pair{p.f - q * p.m, p.slope * (1 + q * x)};
     });
   }
 
-  // m - f / q = 0: d/du of it is f' / u^3 (1 + u / q), and slope() is f' / u^3 there.
+  // m - f / q = 0: d/du of it is f' / u^3 (1 + u / q), and `slope` is f' / u^3 there.
   double outside_root(double inverse_q, int& evaluations) const noexcept {
     const double r = inverse_q;
     const double start = r > 0 ? r / (spread_ * (1 + 3 * r / (r + std::sqrt(r * r + 3 * spread_)))) : 0;
     return root(start, evaluations, [&](double u) {
-      const Point p = at({1, 0, u});
-      return std::pair{p.m - r * p.f, slope({1, 0, u}) * (1 + r * u)};
+      const CurvePoint p = patch_.kernel().outside(u);
+      return std::pair{p.m - r * p.f, p.slope * (1 + r * u)};
     });
   }
 

@@ -110,6 +110,43 @@ TEST(RoundReturnMapping, AgreesWithFiftyDigitsWhereThePressureIsInfiniteAtTheRim
   expect_exact(friction::PowerDisc::of_radius(0.02, -0.3), -0.3, 6);
 }
 
+TEST(RoundReturnMapping, TakesOneEvaluationOfAHertzDiscMostly) {
+  const friction::HertzDisc disc = friction::HertzDisc::of_radius(0.004);
+  const RoundReturnMapping mapping(disc);
+  const friction::RoundLimitSurface surface(disc);
+  std::mt19937_64 engine(8);
+  const auto evaluations = [&](const Regime& regime) {
+    double sum = 0;
+    const int count = cases(5000);
+    for (int i = 0; i < count; ++i) {
+      const Trial t = draw(engine, surface, regime);
+      sum += mapping(t.wrench, t.limit, t.K).evaluations;
+    }
+    return sum / count;
+  };
+  EXPECT_LE(evaluations({"half beyond the limit", 0.4, 0.6, 10}), 1.2);
+  EXPECT_LE(evaluations({"ten times the limit", 9, 11, 10}), 1.1);
+  EXPECT_LE(evaluations(regimes[5]), 1.6);
+}
+
+// Limits and trials whose squares or inverses overflow are as any others.
+TEST(RoundReturnMapping, AScaleChangesNothing) {
+  const RoundReturnMapping mapping(friction::HertzDisc::of_radius(0.01));
+  const RoundStiffness K{1e4, 2};
+  const Returned one = mapping({3, -4, 0.02}, 2, K);
+  ASSERT_TRUE(one.slips);
+  for (const double k : {0x1p-1060, 0x1p-1000, 0x1p-800, 0x1p-400, 0x1p400, 0x1p800, 0x1p1000}) {
+    const Returned r = mapping({k * 3, k * -4, k * 0.02}, k * 2, K);
+    ASSERT_TRUE(r.slips) << k;
+    const double unit = std::max(1e-15, 0x1p-1073 / k);
+    EXPECT_NEAR(r.wrench.value.fx / k, one.wrench.value.fx, 4 * unit) << k;
+    EXPECT_NEAR(r.wrench.value.fy / k, one.wrench.value.fy, 4 * unit) << k;
+    EXPECT_NEAR(r.wrench.value.m / k, one.wrench.value.m, 4 * unit) << k;
+    EXPECT_NEAR(r.slip.vx / k, one.slip.vx, 4 * unit) << k;
+    EXPECT_NEAR(r.slip.w / k, one.slip.w, 4 * unit) << k;
+  }
+}
+
 // It sticks exactly where the gauge says so.
 template <class P>
 void expect_stick_by_gauge(const P& disc) {

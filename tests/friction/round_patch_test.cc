@@ -38,6 +38,8 @@ struct Disc {
   std::function<Wrench(const Twist&)> gradient;
   std::function<BoundedWrench(const Twist&)> bounded_gradient;
   std::function<Hessian(const Twist&)> hessian;
+  std::function<CurvePoint(double x)> curve_inside;
+  std::function<CurvePoint(double u)> curve_outside;
 };
 
 template <class P>
@@ -45,7 +47,9 @@ Disc functions(P patch) {
   return {[patch](const Twist& v) { return patch.dissipation(v); },
           [patch](const Twist& v) { return patch.gradient(v); },
           [patch](const Twist& v) { return patch.bounded_gradient(v); },
-          [patch](const Twist& v) { return patch.hessian(v); }};
+          [patch](const Twist& v) { return patch.hessian(v); },
+          [patch](double x) { return patch.kernel().inside(x); },
+          [patch](double u) { return patch.kernel().outside(u); }};
 }
 
 struct Kind {
@@ -179,6 +183,44 @@ TEST_P(RoundPatchOf, ForceAndMomentAreGoodToEightUnitsAtRandomPoles) {
   }
   RecordProperty("worst_units", std::to_string(worst));
   EXPECT_LE(worst, 8);
+}
+
+// x inside and u beyond the rim; 1 - y is exact from 1/2 on.
+const std::vector<double> curve_places{0,    1e-300, 1e-9,     0.01,      0.3,         0.5,
+                                       0.77, 0.99,   1 - 1e-6, 1 - 1e-12, 1 - 0x1p-53, 1};
+
+TEST_P(RoundPatchOf, TheLimitCurveIsGoodToEightUnits) {
+  const Disc disc = GetParam().of_radius(1);
+  for (const double y : curve_places) {
+    SCOPED_TRACE(y);
+    const CurvePoint in = disc.curve_inside(y), out = disc.curve_outside(y);
+    const kernels::RoundValues<Real50> i = exact().inside(1 - Real50(y)), o = exact().outside(1 - Real50(y));
+    EXPECT_LE(units_of_rounding(in.f, i.force * y), y == 1e-300 ? infinity : 8);
+    EXPECT_LE(units_of_rounding(in.m, i.moment), 8);
+    EXPECT_LE(units_of_rounding(out.f, o.force), 8);
+    EXPECT_LE(units_of_rounding(out.m, o.moment * y), 8);
+    if (y == 1) continue;  // the limit of a power or a logarithm, which the reference does not take
+    EXPECT_LE(units_of_rounding(in.slope, i.slope), 16);
+    EXPECT_LE(units_of_rounding(out.slope, o.slope), 16);
+  }
+}
+
+// By central differences in 50 digits, inside of it also where x = 1.
+TEST_P(RoundPatchOf, TheBendOfTheLimitCurveIsTheDerivativeOfItsSlope) {
+  const Disc disc = GetParam().of_radius(1);
+  const Real50 h = 1e-14;
+  for (const double y : {1e-9, 0.01, 0.3, 0.77, 0.99, 0.999999}) {
+    const double in = disc.curve_inside(y).bend, out = disc.curve_outside(y).bend;
+    const auto bend = [&](const auto& slope) { return static_cast<double>((slope(y + h) - slope(y - h)) / (2 * h)); };
+    if (!std::isnan(in)) {
+      const double d = bend([&](const Real50& x) { return exact().inside(1 - x).slope; });
+      EXPECT_NEAR(in, d, 1e-9 * std::fabs(d) + 1e-15) << y;
+    }
+    if (!std::isnan(out)) {
+      const double d = bend([&](const Real50& u) { return exact().outside(1 - u).slope; });
+      EXPECT_NEAR(out, d, 1e-9 * std::fabs(d) + 1e-15) << y;
+    }
+  }
 }
 
 TEST_P(RoundPatchOf, CarriesTheBoundOfItsHeader) {
@@ -346,6 +388,16 @@ TEST(HertzDisc, DerivativesAreThoseOfTheClosedFormInDualNumbers) {
     EXPECT_NEAR(h.yw, derivative(0, 1, 1), 2e-14);
     EXPECT_NEAR(h.ww, derivative(0, 0, 2), 2e-14);
   }
+}
+
+TEST(HertzDisc, KnowsTheBendOfItsLimitCurveUpToTheRim) {
+  const kernels::MoebiusKernel<kernels::HertzCoefficients> kernel;
+  for (const double y : curve_places) {
+    EXPECT_NEAR(kernel.inside(y).bend, -9 * std::numbers::pi / 16 * y, 1e-15);
+    EXPECT_GE(kernel.outside(y).bend, 0);
+  }
+  // (3 u / 35) 2F1(3/2, 5/2; 9/2; u^2), at u = 1 by Gauss: Gamma(9/2) Gamma(1/2) / (Gamma(3) Gamma(2)) = 105 pi / 32.
+  EXPECT_NEAR(kernel.outside(1).bend, 9 * std::numbers::pi / 32, 1e-11);
 }
 
 TEST(RimExcess, IsTheDifferenceOfSquaresWithoutTheirRounding) {
