@@ -23,8 +23,8 @@
 //          sqrt(rho) and of the moment times a / sqrt(rho) where those are more: the closest point is known as well as
 //          that in the norm of K^-1. tests/dynamics/round_return_mapping_test.cc, also for overshoot from 1e-12 to 1e9
 //          and rho from 1e-6 to 1e6.
-// Cost     of a Hertz disc one evaluation of f, m, f' and f'' for 99 % of what slips at once, 12 at most; where f'' is
-//          not known 2.3 in the mean (bench/return_mapping.cc).
+// Cost     of a Hertz disc mostly one or two evaluations of f, m, f' and f'', 20 at most; where f'' is not known 2.3 in
+//          the mean (bench/return_mapping.cc).
 // Throws   nothing. A trial or a limit that is not finite, or a negative limit, gives not-a-number and an infinite
 //          error.
 #pragma once
@@ -68,11 +68,11 @@ class RoundReturnMapping {
     if (!(F + M < std::numeric_limits<double>::infinity())) return not_finite();
     if (F * F + n * n <= inner_) return {{trial, 0, 0}, {}, false, 0};
 
-    const double k = K.k * a * a;
+    const double k = K.k * a * a, inverse_k_r = 1 / K.k_r;
     // Both conditions, as the second is likely only where the first is not.
     if ((F <= rim_.g) | ((M > rim_.h) & ((F - rim_.g) * K.k_r <= k * (M - rim_.h)))) {
-      const Closest c = search(F, M, k / K.k_r, inside_, [&](double x) { return inside(x); });
-      const double w = c.lambda * (limit * a / K.k_r);
+      const Closest c = search(F, M, k * inverse_k_r, inside_, [&](double x) { return inside(x); });
+      const double w = c.lambda * (limit * a * inverse_k_r);
       return returned(trial, size, limit, {c.g, c.h, a * c.y * w, w, c.error, c.y * c.error}, c);
     }
     const Closest c = search(M, F, K.k_r / k, outside_, [&](double u) { return outside(u); });
@@ -84,6 +84,9 @@ class RoundReturnMapping {
   static constexpr double unit = 0x1p-53;
   static constexpr int max_steps = 80;
   static constexpr double last_step = 1e-8;  // relative: after it what Newton's method leaves is rounding
+  // Relative to y and to the distance from the rim, where g''' is infinite: what Halley's method and the Taylor
+  // polynomial leave out is less than rounding.
+  static constexpr double small_step = 0x1p-18;
   // Of what limit and force may be without being scaled.
   static constexpr double smallest = 0x1p-900, largest = 0x1p900;
 
@@ -147,10 +150,11 @@ class RoundReturnMapping {
     const double moment_limit = limit * patch_.radius(), force = limit * s.f, moment = moment_limit * s.m;
     if (!(c.lambda > 0)) return {{trial, 8 * unit * force, 8 * unit * moment}, {}, false, c.evaluations};
     const double inverse = size > smallest ? 1 / size : 0, ex = trial.fx * inverse, ey = trial.fy * inverse;
-    return {{{force * ex, force * ey, std::copysign(moment, trial.m)},
+    const double sign = std::copysign(1, trial.m);
+    return {{{force * ex, force * ey, sign * moment},
              12 * unit * force + 2 * limit * s.df,
              12 * unit * moment + 2 * moment_limit * s.dm},
-            {s.V * ex, s.V * ey, std::copysign(s.w, trial.m)},
+            {s.V * ex, s.V * ey, sign * s.w},
             true,
             c.evaluations};
   }
@@ -166,41 +170,6 @@ class RoundReturnMapping {
       least = std::min({least, p.g * p.g + n * n, q.h * q.h + l * l});
     }
     return least * (1 - 1e-3);
-  }
-
-  template <class Model, class Curve>
-  static Closest search(double G, double H, double kappa, const Model& model, const Curve& curve) noexcept {
-    Root root{model.root(G, H, kappa)};
-    for (int evaluations = 1;; ++evaluations) {
-      double y = root.place;
-      Place p = curve(y);
-      const double g = G - p.g, h = H - p.h, terms = 1 + kappa * y * y;
-      if (g <= 0 && h <= 0) return {p.g, p.h, y, 0, 0, evaluations};  // it sticks
-      const double r = g - kappa * y * h, rounding = 4 * unit * (G + p.g + kappa * y * (H + p.h));
-      // -r', never below half of what g >= 0 and h >= 0 leave of it.
-      const double curvature = p.slope * terms, fall = curvature + std::max(kappa * h, -curvature / 2);
-      double step = r / fall, left = std::fabs(r);
-      if (!std::isnan(p.bend)) {
-        step = r * fall / (fall * fall + r / 2 * (p.bend * terms + 3 * kappa * y * p.slope));
-        if (is_small(step, y)) {
-          p.g += step * (p.slope + step / 2 * p.bend);
-          p.h -= step * (y * p.slope + step / 2 * (p.slope + y * p.bend));
-          y += step;
-          left = 0;
-        }
-      }
-      if (left > 0 && root.step(r, rounding, g >= 0 && (r > 0 || h < 0), step, p.slope)) continue;
-      const double share = std::isinf(p.slope) ? 1 / terms : p.slope / fall;
-      const double lambda = ((G - p.g) * y + (H - p.h)) / (1 + kappa * y * y);
-      return {p.g, p.h, y, lambda, (left + rounding) * share, evaluations};
-    }
-  }
-
-  // What Halley's method and the Taylor polynomial leave out of y, the step's cube per y^2, and g''' over the root of
-  // the distance from the rim, is less than rounding.
-  static bool is_small(double step, double y) noexcept {
-    const double share = step / y, square = share * share, next = y + step;
-    return square * square * square <= 0x1p-108 * std::max(1 - y, std::fabs(step)) && next >= 0 && next <= 1;
   }
 
   // In [0, 1], of a function that is positive below it and negative beyond.
@@ -226,6 +195,58 @@ class RoundReturnMapping {
       return true;
     }
   };
+
+  template <class Model, class Curve>
+  static Closest search(double G, double H, double kappa, const Model& model, const Curve& curve) noexcept {
+    Root root{model.root(G, H, kappa)};
+    Closest c;
+    c.evaluations = 0;
+    if (settles(G, H, kappa, curve, root, c)) [[likely]]
+      return c;
+    return searched_on(G, H, kappa, curve, root, c);
+  }
+
+  // Apart, so that nothing of it is made ready for those who do not need it.
+  template <class Curve>
+  [[gnu::noinline]] static Closest searched_on(double G, double H, double kappa, const Curve& curve, Root root,
+                                               Closest c) noexcept {
+    while (!settles(G, H, kappa, curve, root, c)) continue;
+    return c;
+  }
+
+  // One evaluation: true if `c` is the closest point.
+  template <class Curve>
+  [[gnu::always_inline]] static bool settles(double G, double H, double kappa, const Curve& curve, Root& root,
+                                             Closest& c) noexcept {
+    double y = root.place;
+    Place p = curve(y);
+    ++c.evaluations;
+    const double g = G - p.g, h = H - p.h, terms = 1 + kappa * y * y;
+    if (g <= 0 && h <= 0) {  // it sticks
+      c = {p.g, p.h, y, 0, 0, c.evaluations};
+      return true;
+    }
+    const double r = g - kappa * y * h, rounding = 4 * unit * (G + p.g + kappa * y * (H + p.h));
+    // -r', never below half of what g >= 0 and h >= 0 leave of it.
+    const double curvature = p.slope * terms, fall = curvature + std::max(kappa * h, -curvature / 2);
+    double inverse = 1 / fall, step = r * inverse, left = std::fabs(r);
+    if (!std::isnan(p.bend)) {
+      inverse = fall / (fall * fall + r / 2 * (p.bend * terms + 3 * kappa * y * p.slope));
+      step = r * inverse;
+      if (std::fabs(step) < small_step * (y * (1 - y))) {
+        const double rise = step * (p.slope + step / 2 * p.bend);
+        p.g += rise;
+        p.h -= y * rise + step * step / 2 * p.slope;
+        y += step;
+        left = 0;
+      }
+    }
+    if (left > 0 && root.step(r, rounding, g >= 0 && (r > 0 || h < 0), step, p.slope)) return false;
+    const double share = std::isinf(p.slope) ? 1 / terms : p.slope * inverse;
+    const double lambda = ((G - p.g) * y + (H - p.h)) / (1 + kappa * y * y);
+    c = {p.g, p.h, y, lambda, (left + rounding) * share, c.evaluations};
+    return true;
+  }
 
   using Kernel = std::remove_cvref_t<decltype(std::declval<P>().kernel())>;
   static constexpr std::size_t model_terms = 8;

@@ -110,7 +110,7 @@ TEST(RoundReturnMapping, AgreesWithFiftyDigitsWhereThePressureIsInfiniteAtTheRim
   expect_exact(friction::PowerDisc::of_radius(0.02, -0.3), -0.3, 6);
 }
 
-TEST(RoundReturnMapping, TakesOneEvaluationOfAHertzDiscMostly) {
+TEST(RoundReturnMapping, TakesOneOrTwoEvaluationsOfAHertzDisc) {
   const friction::HertzDisc disc = friction::HertzDisc::of_radius(0.004);
   const RoundReturnMapping mapping(disc);
   const friction::RoundLimitSurface surface(disc);
@@ -124,7 +124,7 @@ TEST(RoundReturnMapping, TakesOneEvaluationOfAHertzDiscMostly) {
     }
     return sum / count;
   };
-  EXPECT_LE(evaluations({"half beyond the limit", 0.4, 0.6, 10}), 1.2);
+  EXPECT_LE(evaluations({"half beyond the limit", 0.4, 0.6, 10}), 1.5);
   EXPECT_LE(evaluations({"ten times the limit", 9, 11, 10}), 1.1);
   EXPECT_LE(evaluations(regimes[5]), 1.6);
 }
