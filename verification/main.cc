@@ -15,6 +15,7 @@
 #include <patchgrip/verification/cases/case.h>
 #include <patchgrip/verification/claims/all_claims.h>
 #include <patchgrip/verification/claims/stored_run.h>
+#include <patchgrip/verification/claims/two_solvers.h>
 #include <patchgrip/verification/report/html.h>
 #include <patchgrip/verification/report/result_json.h>
 #include <patchgrip/verification/report/stored.h>
@@ -53,8 +54,15 @@ void write(const std::filesystem::path& file, const std::string& text) {
   out.commit();
 }
 
+struct Session {
+  Options options;
+  std::string report;
+  std::vector<StoredRun> runs;  // of the cases that were solved
+};
+
 // Solves a case; false where it is not as claimed, or not what is stored.
-bool verify(const Case& one, const Options& options, std::string& report) {
+bool verify(const Case& one, Session& session) {
+  const Options& options = session.options;
   std::cout << fmt::format("{}: {}\n", one.name, claims_of(one.name).title) << std::flush;
   std::vector<Setting> settings = one.ci;
   if (options.level == "full") settings.insert(settings.end(), one.full.begin(), one.full.end());
@@ -64,12 +72,13 @@ bool verify(const Case& one, const Options& options, std::string& report) {
   const std::string file = fmt::format("{}.json", one.name);
   write_result(options.output / file, one, options.level, result);
   write_fields(options.output, one, result);
-  report += html_of(one, result);
+  session.report += html_of(one, result);
   const StoredRun run = stored_run_of(one, options.level, result);
   if (!options.store.empty()) {
     write(options.store / file, text_of(run));
     if (one.stores_stress) write(options.store / fmt::format("{}_von_mises.csv", one.name), csv_of(*result.stress));
   }
+  session.runs.push_back(run);
   bool is_reproduced = true;
   if (options.check_stored) {
     const Reproduction reproduction =
@@ -81,12 +90,32 @@ bool verify(const Case& one, const Options& options, std::string& report) {
                                       [](const Comparison& c) { return c.is_as_claimed(); });
 }
 
+// Holds the solvers against each other where both solved a case; false where they do not agree.
+bool solvers_agree(Session& session) {
+  bool agree = true;
+  std::vector<std::string> lines;
+  for (const SolverPair& pair : solver_pairs()) {
+    const auto run_of = [&](std::string_view name) {
+      return std::find_if(session.runs.begin(), session.runs.end(), [&](const auto& run) { return run.name == name; });
+    };
+    const auto first = run_of(pair.first), second = run_of(pair.second);
+    if (first == session.runs.end() || second == session.runs.end()) continue;
+    const Agreement found = agreement(pair, *first, *second);
+    agree = agree && found.is_within_bound;
+    lines.push_back(line_of(pair, found));
+    std::cout << lines.back() << "\n";
+  }
+  session.report += html_of_solvers(lines);
+  return agree;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Holds patchgrip against finite elements: meshes, solves, compares and reports.", "patchgrip-verify"};
   std::vector<std::string> names;
-  Options options;
+  Session session;
+  Options& options = session.options;
   app.add_option("CASE", names, "names of cases; all without");
   app.add_option("--level", options.level, "ci: minutes; full: one finer mesh each")
       ->check(CLI::IsMember({"ci", "full"}));
@@ -107,18 +136,18 @@ int main(int argc, char** argv) {
     return 2;
   }
   bool is_fine = true;
-  std::string report;
   for (const Case* one : cases) {
     try {
-      is_fine = verify(*one, options, report) && is_fine;
+      is_fine = verify(*one, session) && is_fine;
     } catch (const std::exception& error) {
       std::cerr << "patchgrip-verify: " << one->name << ": " << error.what() << "\n";
-      report += html_of_failure(*one, error.what());
+      session.report += html_of_failure(*one, error.what());
       is_fine = false;
     }
   }
+  is_fine = solvers_agree(session) && is_fine;
   try {
-    write(options.output / "report.html", html_page(options.level, report));
+    write(options.output / "report.html", html_page(options.level, session.report));
   } catch (const std::exception& error) {
     std::cerr << "patchgrip-verify: " << error.what() << "\n";
     return 2;

@@ -12,6 +12,7 @@
 
 #include <patchgrip/verification/claims/all_claims.h>
 #include <patchgrip/verification/claims/comparison.h>
+#include <patchgrip/verification/claims/two_solvers.h>
 
 namespace patchgrip::verification {
 namespace {
@@ -44,15 +45,27 @@ TEST(StoredRuns, LibraryIsAsClaimedAgainstEachOfThem) {
   }
 }
 
-// GetFEM was given the force, CalculiX the approach; F ~ delta^(3/2).
-TEST(StoredRuns, TwoSolversAgreeWithinTheirErrors) {
-  const StoredRun getfem = read_stored_run(file_of("sphere")), calculix = read_stored_run(file_of("sphere_ccx"));
-  const double approach = claims_of("sphere").quantities()[0].library[0];
-  const double force = claims_of("sphere_ccx").quantities()[0].library[0];
-  const StoredQuantity& delta = getfem.quantities[0];
-  const StoredQuantity& F = calculix.quantities[0];
-  const double stiffer_getfem = 1.5 * (approach / delta.fe[0] - 1), stiffer_calculix = F.fe[0] / force - 1;
-  EXPECT_LE(std::fabs(stiffer_getfem - stiffer_calculix), 1.5 * delta.fe_error[0] / approach + F.fe_error[0] / force);
+TEST(TwoSolvers, AgreeWithinTheirErrorsWhereBothSolveACase) {
+  for (const SolverPair& pair : solver_pairs()) {
+    SCOPED_TRACE(pair.second);
+    const Agreement found =
+        agreement(pair, read_stored_run(file_of(pair.first)), read_stored_run(file_of(pair.second)));
+    EXPECT_TRUE(found.is_within_bound) << found.apart << " apart, bound " << found.bound;
+  }
+}
+
+TEST(TwoSolvers, DisagreeWhereOneIsOffByMoreThanTheirErrors) {
+  for (const SolverPair& pair : solver_pairs()) {
+    SCOPED_TRACE(pair.second);
+    const StoredRun first = read_stored_run(file_of(pair.first));
+    StoredRun second = read_stored_run(file_of(pair.second));
+    const Agreement before = agreement(pair, first, second);
+    for (StoredQuantity& quantity : second.quantities) {
+      for (double& value : quantity.fe) value *= 1 + 4 * before.bound;
+    }
+    EXPECT_FALSE(agreement(pair, first, second).is_within_bound);
+    EXPECT_THROW(agreement(pair, second, first), std::out_of_range);
+  }
 }
 
 TEST(StoredRuns, AreReadAsTheyWereWritten) {

@@ -40,6 +40,7 @@ Solved solve_elastic_pair(const Setting& setting) {
   solved.values = {{model.number("delta")},
                    {std::sqrt(second_moment / model.integral("2*pi*X(1)*lam", region::contact))},
                    {line.front().second},
+                   values_at(line, pair.press.radii),
                    {pressure_distance_of(line, pair.press.pressure)}};
   return solved;
 }

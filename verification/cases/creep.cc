@@ -33,7 +33,9 @@ const std::string faded =
 Solved solve_creep(const CreepingPress& press, const Setting& setting) {
   Model model = fading_half_space(press, setting);
   const std::string strain = fmt::format("(stays*{}+fades*{})", strain_of_revolution("u"), faded);
-  model.nonlinear(fmt::format("((la*Trace({0})*Id(3)+2*G*{0}):{1})*X(1)", strain, strain_of_revolution("Test_u")));
+  const std::string volume = press.bulk_fades ? strain : strain_of_revolution("u");
+  model.nonlinear(fmt::format("(((la+2*G/3)*Trace({})*Id(3)+2*G*Deviator({})):{})*X(1)", volume, strain,
+                              strain_of_revolution("Test_u")));
   press_without_friction(model, fmt::format("sqr(X(1))/{}", 2 * press.sphere_radius), 0,
                          0.5 * press.quantities[0].library.front());
 
@@ -44,9 +46,10 @@ Solved solve_creep(const CreepingPress& press, const Setting& setting) {
     const double age = (t - at) / press.fading_time;
     model.known("left", std::exp(-age));
     model.known("mean_left", age > 0 ? -std::expm1(-age) / age : 1);
-    set_far_force(model, setting, press.glassy, elastic_force(press, t));
+    const FarField far = far_field(press, t);
+    set_far_force(model, setting, far.material, far.force);
     model.load("delta", -press.force(t));
-    solved.iterations += model.solve(1e-8 * elastic_force(press, press.end / 2), fmt::format("creep at {:g} s", t));
+    solved.iterations += model.solve(1e-8 * far_field(press, press.end / 2).force, fmt::format("creep at {:g} s", t));
     model.record("h", faded);
     model.remember("before", "u");
     at = t;

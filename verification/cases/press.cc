@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include <patchgrip/verification/fe/half_space.h>
 
@@ -22,19 +21,10 @@ Solved solve_press(const PressedBody& body, const Setting& setting) {
   solved.values = {{model->number("delta")},
                    {std::sqrt(second_moment / force)},
                    {line.front().second},
+                   values_at(line, body.radii),
                    {pressure_distance_of(line, body.pressure)}};
 
-  Curve curve{"pressure", "r / a", "p [Pa]", {{"FE", {}, {}}, {"library", {}, {}, true}}};
-  for (const auto& [at, pressure] : line) {
-    curve.lines[0].x.push_back(at[0]);
-    curve.lines[0].y.push_back(pressure);
-  }
-  for (int k = 0; k <= 200; ++k) {
-    const double r = contact_reach * k / 200;
-    curve.lines[1].x.push_back(r);
-    curve.lines[1].y.push_back(body.pressure(r));
-  }
-  solved.curves.push_back(std::move(curve));
+  solved.curves.push_back(pressure_curve(line, body.pressure, contact_reach));
   solved.stress = model->plane_field(von_mises_of_revolution());
   solved.vtk = [model](const std::string& file) {
     model->write_vtk(file, {"u"}, {{"von_mises", von_mises_of_revolution()}});

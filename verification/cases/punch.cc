@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <utility>
 
 #include <patchgrip/verification/claims/punch.h>
 #include <patchgrip/verification/fe/half_space.h>
@@ -14,13 +11,6 @@ namespace patchgrip::verification {
 namespace {
 
 constexpr double edge_refinement = 20;
-
-double value_at(const std::vector<std::pair<Point, double>>& line, double r) {
-  auto next = std::find_if(line.begin() + 1, line.end() - 1, [&](const auto& node) { return node.first[0] >= r; });
-  const auto& [from, low] = *std::prev(next);
-  const auto& [to, high] = *next;
-  return std::lerp(low, high, (r - from[0]) / (to[0] - from[0]));
-}
 
 void press_flat(Model& model, double force) {
   model.unknown("delta");
@@ -38,18 +28,9 @@ Solved solve_flat_punch(const Setting& setting) {
   solved.iterations = model.solve(1e-8 * punch.library.force, "flat punch");
   solved.unknowns = model.unknowns();
   const auto line = model.along("lam", region::contact);
-  std::vector<double> pressures;
-  for (const double r : punch.radii) pressures.push_back(value_at(line, r));
-  solved.values = {{model.number("delta")}, pressures};
-  Curve curve{"pressure", "r / a", "p [Pa]", {{"FE", {}, {}}, {"library", {}, {}, true}}};
-  for (const auto& [at, pressure] : line) {
-    if (at[0] > 0.98) continue;
-    curve.lines[0].x.push_back(at[0]);
-    curve.lines[0].y.push_back(pressure);
-    curve.lines[1].x.push_back(at[0]);
-    curve.lines[1].y.push_back(punch.library.pressure(at[0]));
-  }
-  solved.curves.push_back(std::move(curve));
+  solved.values = {{model.number("delta")}, values_at(line, punch.radii)};
+  solved.curves.push_back(pressure_curve(
+      line, [&](double r) { return punch.library.pressure(r); }, 0.98));
   solved.stress = model.plane_field(von_mises_of_revolution());
   return solved;
 }

@@ -22,6 +22,11 @@ Punch flat_punch() {
             "of p(0); elements a twentieth as large at the edge, where p is infinite"}}};
 }
 
+std::vector<Quantity> flat_punch_at_approach() {
+  const Punch punch = flat_punch();
+  return {number("force", "N", punch.library.force, 5e-4, punch.quantities[0].reason), punch.quantities[1]};
+}
+
 RoughPunch rough_punch() {
   constexpr double mu = 0.1;
   const auto material = contact::Material::elastic(1000, 0.45);

@@ -17,6 +17,7 @@ struct Punch {
 };
 
 Punch flat_punch();
+std::vector<Quantity> flat_punch_at_approach();  // its force and pressure, where the approach is given
 
 struct RoughPunch {
   contact::Material material;

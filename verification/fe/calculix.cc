@@ -5,8 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -48,23 +51,42 @@ CalculixResult run_calculix(const std::string& input) {
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     throw std::runtime_error("ccx did not converge; its log ends with:\n" + end_of(log));
   }
-  return {with(".dat")};
+  return {with(".dat"), with(".frd")};
 }
 
-double CalculixResult::total_force(int component) const {
+std::vector<std::vector<double>> CalculixResult::printed(std::string_view heading) const {
   std::ifstream in(table);
   std::string line;
-  double force = 0;
-  bool is_found = false;
+  std::vector<std::vector<double>> rows;
   while (std::getline(in, line)) {
-    if (line.find("total force") == std::string::npos) continue;
+    if (line.find(heading) == std::string::npos) continue;
     while (std::getline(in, line) && line.find_first_not_of(" \r") == std::string::npos) {
     }
     std::istringstream numbers(line);
-    for (int k = 0; k <= component; ++k) is_found = static_cast<bool>(numbers >> force);
+    rows.emplace_back(std::istream_iterator<double>(numbers), std::istream_iterator<double>());
   }
-  if (!is_found) throw std::runtime_error("ccx printed no total force");
-  return force;
+  if (rows.empty()) throw std::runtime_error(fmt::format("ccx printed no {}", heading));
+  return rows;
+}
+
+double CalculixResult::total_force(int component) const {
+  return printed("total force").back().at(static_cast<std::size_t>(component));
+}
+
+std::map<int, double> CalculixResult::field(std::string_view name, std::size_t component) const {
+  constexpr std::size_t key = 3, number = 10, width = 12;  // places of the format
+  std::ifstream in(fields);
+  std::string line;
+  std::map<int, double> values;
+  bool is_asked = false;
+  while (std::getline(in, line)) {
+    if (line.starts_with(" -4")) is_asked = line.find(name) != std::string::npos;
+    if (line.starts_with(" -3")) is_asked = false;
+    if (!is_asked || !line.starts_with(" -1")) continue;
+    values[std::stoi(line.substr(key, number))] = std::stod(line.substr(key + number + component * width, width));
+  }
+  if (values.empty()) throw std::runtime_error(fmt::format("ccx told no {}", name));
+  return values;
 }
 
 }  // namespace patchgrip::verification

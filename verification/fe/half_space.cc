@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace patchgrip::verification {
@@ -94,6 +95,34 @@ std::string stretch_around_axis(const std::string& field) {
 }
 
 std::string von_mises_of_revolution() { return "2*G*sqrt(1.5)*Norm(Deviator(" + strain_of_revolution("u") + "))"; }
+
+std::vector<double> values_at(const std::vector<std::pair<Point, double>>& line, const std::vector<double>& radii) {
+  std::vector<double> values;
+  for (const double r : radii) {
+    const auto next =
+        std::find_if(line.begin() + 1, line.end() - 1, [&](const auto& node) { return node.first[0] >= r; });
+    const auto& [from, low] = *std::prev(next);
+    const auto& [to, high] = *next;
+    values.push_back(std::lerp(low, high, (r - from[0]) / (to[0] - from[0])));
+  }
+  return values;
+}
+
+Curve pressure_curve(const std::vector<std::pair<Point, double>>& line, const std::function<double(double)>& library,
+                     double reach) {
+  constexpr int points = 200;
+  Curve curve{"pressure", "r / a", "p [Pa]", {{"FE", {}, {}}, {"library", {}, {}, true}}};
+  for (const auto& [at, pressure] : line) {
+    if (at[0] > reach) continue;
+    curve.lines[0].x.push_back(at[0]);
+    curve.lines[0].y.push_back(pressure);
+  }
+  for (int k = 0; k <= points; ++k) {
+    curve.lines[1].x.push_back(reach * k / points);
+    curve.lines[1].y.push_back(library(reach * k / points));
+  }
+  return curve;
+}
 
 double pressure_distance_of(const std::vector<std::pair<Point, double>>& line,
                             const std::function<double(double)>& pressure) {

@@ -46,6 +46,12 @@ std::string strain_of_revolution(const std::string& field);
 std::string stretch_around_axis(const std::string& field);  // u_r / r, and on the axis du_r / dr
 std::string von_mises_of_revolution();                      // [Pa], from u, G, la
 
+// Straight between the nodes of the line, as a linear multiplier is.
+std::vector<double> values_at(const std::vector<std::pair<Point, double>>& line, const std::vector<double>& radii);
+// Both up to a radius.
+Curve pressure_curve(const std::vector<std::pair<Point, double>>& line, const std::function<double(double)>& library,
+                     double reach);
+
 // sqrt(int (lam - p)^2 r dr / int p^2 r dr) over the radii of the line.
 double pressure_distance_of(const std::vector<std::pair<Point, double>>& line,
                             const std::function<double(double)>& pressure);

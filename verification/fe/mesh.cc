@@ -57,6 +57,78 @@ Mesh built(int dimension, const SizeAt& size, int order, const Build& build) {
   return meshed(dimension, size, order);
 }
 
+struct Division {
+  double end;     // where it ends
+  int count;      // of elements
+  double growth;  // ratio of neighbours
+};
+
+// From elements of the size `fine` on, as many as fill the length with about the wanted growth.
+Division growing(double from, double to, double fine, double wanted_growth) {
+  const double length = to - from;
+  const int count =
+      static_cast<int>(std::ceil(std::log1p(length * (wanted_growth - 1) / fine) / std::log(wanted_growth)));
+  double low = 1 + 1e-6, high = 2;
+  while (high - low > 1e-12) {
+    const double q = (low + high) / 2;
+    (fine * (std::pow(q, count) - 1) / (q - 1) < length ? low : high) = q;
+  }
+  return {to, count, low};
+}
+
+QuadSection tensor_section(double inner, const std::vector<Division>& across, const std::vector<Division>& down) {
+  const GmshSession session;
+  const std::size_t columns = across.size(), rows = down.size();
+  std::vector<std::vector<int>> points(columns + 1);
+  for (std::size_t i = 0; i <= columns; ++i) {
+    for (std::size_t j = 0; j <= rows; ++j) {
+      points[i].push_back(geo::addPoint(i == 0 ? inner : across[i - 1].end, j == 0 ? 0 : -down[j - 1].end, 0));
+    }
+  }
+  const auto curve = [&](int from, int to, const Division& division) {
+    const int line = geo::addLine(from, to);
+    geo::mesh::setTransfiniteCurve(line, division.count + 1, "Progression", division.growth);
+    return line;
+  };
+  std::vector<std::vector<int>> rightwards(columns), downwards(columns + 1);
+  for (std::size_t i = 0; i <= columns; ++i) {
+    for (std::size_t j = 0; j <= rows; ++j) {
+      if (i < columns) rightwards[i].push_back(curve(points[i][j], points[i + 1][j], across[i]));
+      if (j < rows) downwards[i].push_back(curve(points[i][j], points[i][j + 1], down[j]));
+    }
+  }
+  for (std::size_t i = 0; i < columns; ++i) {
+    for (std::size_t j = 0; j < rows; ++j) {
+      const int loop =
+          geo::addCurveLoop({downwards[i][j], rightwards[i][j + 1], -downwards[i + 1][j], -rightwards[i][j]});
+      const int surface = geo::addPlaneSurface({loop});
+      geo::mesh::setTransfiniteSurface(surface);
+      geo::mesh::setRecombine(2, surface);
+    }
+  }
+  geo::synchronize();
+  gmsh::model::mesh::generate(2);
+  gmsh::option::setNumber("Mesh.SecondOrderIncomplete", 1);
+  gmsh::model::mesh::setOrder(2);
+
+  std::vector<std::size_t> tags, element_tags, element_nodes;
+  std::vector<double> places, unused;
+  gmsh::model::mesh::getNodes(tags, places, unused);
+  std::map<std::size_t, std::size_t> number;
+  QuadSection section;
+  for (std::size_t k = 0; k < tags.size(); ++k) {
+    number[tags[k]] = k;
+    section.nodes.push_back({places[3 * k], places[3 * k + 1]});
+  }
+  constexpr int eight_node_quad = 16;
+  gmsh::model::mesh::getElementsByType(eight_node_quad, element_tags, element_nodes);
+  for (std::size_t k = 0; k < element_nodes.size(); k += 8) {
+    auto& element = section.elements.emplace_back();
+    for (std::size_t i = 0; i < 8; ++i) element[i] = number.at(element_nodes[k + i]);
+  }
+  return section;
+}
+
 }  // namespace
 
 SizeAt graded(double fine, double reach, double growth) {
@@ -116,64 +188,20 @@ Mesh Mesh::box_pad(double side_x, double side_y, double height, double size) {
 }
 
 QuadSection QuadSection::half_space(double inner, double extent, double elements) {
-  constexpr double fine_reach = 1.5, wanted_growth = 1.2;
-  const double fine = 1 / elements, rest = extent - fine_reach;
-  const int fine_count = static_cast<int>(std::lround(fine_reach * elements));
-  const int count =
-      static_cast<int>(std::ceil(std::log1p(rest * (wanted_growth - 1) / fine) / std::log(wanted_growth)));
-  // The ratio q of neighbours with which `count` elements from `fine` on fill the rest.
-  double low = 1 + 1e-6, high = 2;
-  while (high - low > 1e-12) {
-    const double q = (low + high) / 2;
-    (fine * (std::pow(q, count) - 1) / (q - 1) < rest ? low : high) = q;
-  }
-  const GmshSession session;
-  const std::array<double, 3> xs{inner, fine_reach, extent}, ys{0, -fine_reach, -extent};
-  std::array<std::array<int, 3>, 3> points{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) points[i][j] = geo::addPoint(xs[i], ys[j], 0);
-  }
-  const auto curve = [&](int from, int to, std::size_t block) {
-    const int line = geo::addLine(from, to);
-    geo::mesh::setTransfiniteCurve(line, (block == 0 ? fine_count : count) + 1, "Progression", block == 0 ? 1 : low);
-    return line;
+  constexpr double fine_reach = 1.5;
+  const auto even = [&](double from, double to) {
+    return Division{to, static_cast<int>(std::lround((to - from) * elements)), 1};
   };
-  std::array<std::array<int, 3>, 3> across{}, down{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      across[i][j] = curve(points[i][j], points[i + 1][j], i);
-      down[j][i] = curve(points[j][i], points[j][i + 1], i);
-    }
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
-    for (std::size_t j = 0; j < 2; ++j) {
-      const int loop = geo::addCurveLoop({down[i][j], across[i][j + 1], -down[i + 1][j], -across[i][j]});
-      const int surface = geo::addPlaneSurface({loop});
-      geo::mesh::setTransfiniteSurface(surface);
-      geo::mesh::setRecombine(2, surface);
-    }
-  }
-  geo::synchronize();
-  gmsh::model::mesh::generate(2);
-  gmsh::option::setNumber("Mesh.SecondOrderIncomplete", 1);
-  gmsh::model::mesh::setOrder(2);
+  const Division rest = growing(fine_reach, extent, 1 / elements, 1.2);
+  return tensor_section(inner, {even(inner, 1), even(1, fine_reach), rest}, {even(0, fine_reach), rest});
+}
 
-  std::vector<std::size_t> tags, element_tags, element_nodes;
-  std::vector<double> places, unused;
-  gmsh::model::mesh::getNodes(tags, places, unused);
-  std::map<std::size_t, std::size_t> number;
-  QuadSection section;
-  for (std::size_t k = 0; k < tags.size(); ++k) {
-    number[tags[k]] = k;
-    section.nodes.push_back({places[3 * k], places[3 * k + 1]});
-  }
-  constexpr int eight_node_quad = 16;
-  gmsh::model::mesh::getElementsByType(eight_node_quad, element_tags, element_nodes);
-  for (std::size_t k = 0; k < element_nodes.size(); k += 8) {
-    auto& element = section.elements.emplace_back();
-    for (std::size_t i = 0; i < 8; ++i) element[i] = number.at(element_nodes[k + i]);
-  }
-  return section;
+QuadSection QuadSection::half_space_with_edge(double inner, double edge, double extent, double elements,
+                                              double edge_refinement) {
+  const double fine = 1 / (elements * edge_refinement), growth = 1 + 2 / elements;
+  Division within = growing(inner, edge, fine, growth);
+  within.growth = 1 / within.growth;  // from the axis outwards they shrink
+  return tensor_section(inner, {within, growing(edge, extent, fine, growth)}, {growing(0, extent, fine, growth)});
 }
 
 }  // namespace patchgrip::verification

@@ -32,10 +32,14 @@ struct Mesh {
   int dimension;
 };
 
-// The section of a half-space as quadrilaterals of eight nodes, in a block inner <= x <= extent, -extent <= y <= 0;
-// square ones, `elements` per length, up to 1.5. Corners turn anticlockwise, then come the middles of their sides.
+// The section of a half-space as quadrilaterals of eight nodes, in a block inner <= x <= extent, -extent <= y <= 0.
+// Corners turn anticlockwise, then come the middles of their sides.
 struct QuadSection {
+  // Square ones, `elements` per length, up to 1.5, with sides at x = 1.
   static QuadSection half_space(double inner, double extent, double elements);
+  // At (edge, 0) smaller by `edge_refinement`; from there they grow by 2 / elements each.
+  static QuadSection half_space_with_edge(double inner, double edge, double extent, double elements,
+                                          double edge_refinement);
 
   std::vector<std::array<double, 2>> nodes;
   std::vector<std::array<std::size_t, 8>> elements;

@@ -87,6 +87,13 @@ std::string html_of_failure(const Case& one, std::string_view what) {
                      escaped(claims_of(one.name).title), escaped(what));
 }
 
+std::string html_of_solvers(const std::vector<std::string>& lines) {
+  if (lines.empty()) return "";
+  std::string html = "<h2>Two solvers</h2>\n<ul>\n";
+  for (const auto& line : lines) html += fmt::format("<li>{}</li>\n", escaped(line));
+  return html + "</ul>\n";
+}
+
 std::string html_page(std::string_view level, const std::string& parts) {
   std::string of_what;
   for (const auto& [name, version] : versions()) of_what += fmt::format("{} {}, ", name, version);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <patchgrip/verification/cases/case.h>
 
@@ -12,6 +13,7 @@ namespace patchgrip::verification {
 // The part of a case: its runs and quantities as tables, then its figures.
 std::string html_of(const Case& one, const Study& study);
 std::string html_of_failure(const Case& one, std::string_view what);
+std::string html_of_solvers(const std::vector<std::string>& lines);  // empty without lines
 // All parts as a page.
 std::string html_page(std::string_view level, const std::string& parts);
 

@@ -25,4 +25,10 @@ std::string summary(const Study& study) {
   return text;
 }
 
+std::string line_of(const SolverPair& pair, const Agreement& agreement) {
+  return fmt::format("GetFEM and CalculiX {}: {} of {}, {} of {}: {:.2g} % apart, their errors {:.2g} %",
+                     agreement.is_within_bound ? "agree" : "DO NOT AGREE", pair.first_quantity, pair.first,
+                     pair.second_quantity, pair.second, 100 * agreement.apart, 100 * agreement.bound);
+}
+
 }  // namespace patchgrip::verification
