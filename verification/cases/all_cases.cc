@@ -7,6 +7,7 @@
 #include <patchgrip/verification/cases/pad.h>
 #include <patchgrip/verification/cases/press.h>
 #include <patchgrip/verification/cases/punch.h>
+#include <patchgrip/verification/cases/rubber.h>
 #include <patchgrip/verification/cases/shear.h>
 
 namespace patchgrip::verification {

@@ -10,7 +10,5 @@ namespace patchgrip::verification {
 Solved solve_elastic_pair(const Setting& setting);
 // A quarter of the half-space in tetrahedra.
 Solved solve_ellipse(const PressedEllipse& press, const Setting& setting);
-// Displacement and pressure (Taylor-Hood), large strains; the plate comes in steps.
-Solved solve_rubber_hemisphere(const Setting& setting);
 
 }  // namespace patchgrip::verification

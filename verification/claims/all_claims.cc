@@ -10,6 +10,7 @@
 #include <patchgrip/verification/claims/pad.h>
 #include <patchgrip/verification/claims/press.h>
 #include <patchgrip/verification/claims/punch.h>
+#include <patchgrip/verification/claims/rubber.h>
 #include <patchgrip/verification/claims/shear.h>
 
 namespace patchgrip::verification {

@@ -2,10 +2,6 @@
 
 #include <utility>
 
-#include <patchgrip/contact/axisymmetric.h>
-#include <patchgrip/contact/paraboloid.h>
-#include <patchgrip/contact/sphere.h>
-
 namespace patchgrip::verification {
 
 ElasticPair elastic_pair() {
@@ -29,24 +25,6 @@ PressedEllipse pressed_ellipse(double small_over_large) {
           {number("approach", "m", ellipse.approach, 1.5e-3, "0.15 %: tetrahedra, some to the minor semi-axis"),
            number("a, from <x^2>_p", "m", ellipse.a, 3e-3, "the rim cuts elements"),
            number("b, from <y^2>_p", "m", ellipse.b, 3e-3, "the rim cuts elements")}};
-}
-
-RubberHemisphere rubber_hemisphere() {
-  constexpr double modulus = 4;  // E* = 4 G for nu = 1/2
-  RubberHemisphere rubber{{0.05, 0.1, 0.2, 0.3, 0.4}, {}};
-  std::vector<double> hertz, sphere;
-  for (const double d : rubber.approaches) {
-    hertz.push_back(
-        contact::AxisymmetricContact<contact::Paraboloid>::at_approach(contact::Paraboloid::of_radius(1), d, modulus)
-            .force());
-    sphere.push_back(
-        contact::AxisymmetricContact<contact::Sphere>::at_approach(contact::Sphere::of_radius(1), d, modulus).force());
-  }
-  rubber.quantities = {
-      {"force of Hertz", "N", hertz, hertz.back(), 0, "large strains, and a base that is held", Claim::differs},
-      {"force of the exact sphere", "N", sphere, sphere.back(), 0, "large strains, and a base that is held",
-       Claim::differs}};
-  return rubber;
 }
 
 }  // namespace patchgrip::verification

@@ -1,4 +1,4 @@
-// Two elastic bodies, ellipses of contact, and a hemisphere of rubber.
+// Two elastic bodies, and ellipses of contact.
 #pragma once
 
 #include <vector>
@@ -25,12 +25,5 @@ struct PressedEllipse {
   std::vector<Quantity> quantities;
 };
 PressedEllipse pressed_ellipse(double small_over_large);
-
-// Neo-Hooke, incompressible, its base held, pressed by a rigid plate; R = 1 m, G = 1 Pa.
-struct RubberHemisphere {
-  std::vector<double> approaches;  // of the plate to the base [m]
-  std::vector<Quantity> quantities;
-};
-RubberHemisphere rubber_hemisphere();
 
 }  // namespace patchgrip::verification
