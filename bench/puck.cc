@@ -5,7 +5,8 @@
 //
 // 1 kg, R = 0.05 m, J = m R^2 / 2, v = 1 m/s, w = 20 rad/s, mu = 0.5, g = 9.81 m/s^2. The error of a law with bristles
 // tends to what their give makes of the stop; it is told where the puck would stop by its last state that still slides
-// for half a step, or at 0.01 m/s: 2 T / mu F_N D(v) later. --short repeats less and leaves out the finest.
+// for half a step, or at 0.01 m/s: 2 T / mu F_N D(v) later. The stack is the puck on a body of 1e9 kg that the ground
+// holds. With libsundials-dev CVODE follows the laws of bristles, too. --short repeats less and leaves out the finest.
 #include <fmt/ostream.h>
 
 #include <algorithm>
@@ -14,12 +15,18 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <patchgrip/bench/command_line.h>
+#ifdef PATCHGRIP_WITH_SUNDIALS
+#include <patchgrip/bench/sundials.h>
+#endif
 #include <patchgrip/dynamics/bristle_body.h>
 #include <patchgrip/dynamics/bristle_motion.h>
+#include <patchgrip/dynamics/half_freedom_patch.h>
 #include <patchgrip/dynamics/rigid_motion.h>
+#include <patchgrip/dynamics/stacked_bodies.h>
 #include <patchgrip/friction/hertz_disc.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
 #include <patchgrip/friction/uniform_disc.h>
@@ -81,44 +88,87 @@ Stop return_mapping(const P& disc, double k, Method method, double h) {
 }
 
 template <class P>
+Stop stack(const P& disc, double k, double h) {
+  const StackedBodies bodies(UniformDisc::of_radius(1), disc, {1e9, 1e9, {k, k}}, {1, J, {k, k * R * R / 2}});
+  StackState s, last;
+  s.twist << 0, 0, 0, 1, 0, 20;
+  last = s;
+  const auto no_loads = [](double) { return Vector6(Vector6::Zero()); };
+  const auto limit = [](int which, double, const Vector3&) { return which == 0 ? 10 * L : L; };
+  double at = 0;
+  long evaluations = 0;
+  const auto steps = static_cast<long>(std::ceil(horizon / h));
+  for (long i = 0; i < steps; ++i) {
+    const StackStep r = bodies.step(s, h * static_cast<double>(i), h, Method::sdirk2, no_loads, limit);
+    evaluations += 2 * r.sweeps;
+    s = r.state;
+    if (!r.slips[1]) break;
+    const Vector3 v = s.twist.tail<3>();
+    if (kinetic(v) > h / 4 * L * disc.dissipation({v[0], v[1], v[2]})) last = s, at = h * static_cast<double>(i + 1);
+  }
+  return stop_from(disc, at, last.place.tail<3>(), last.twist.tail<3>(), evaluations);
+}
+
+// --- bristles as differential equations
+
+template <class P>
 auto elastoplastic_motion(const P& disc, double k) {
   using Surface = RoundLimitSurface<P>;
   return BristleMotion(
       PatchBristle<Surface>(Surface(disc), {{k, k, k * R * R / 2}, {0, 0, 0}, R}, Law::coulomb(mu), F_N), 1, J);
 }
 
+template <class P>
+auto half_freedom_motion(const P& disc, double k, double d) {
+  return BristleMotion(HalfFreedomPatch(disc, {{k, k, k * R * R / 2}, {d, d, d * R * R / 2}}, Law::coulomb(mu), F_N), 1,
+                       J);
+}
+
+using BristleState = Trajectory<11>::State;
+
+constexpr BristleState bristle_start{0, 0, 0, 1, 0, 20};
 constexpr double slow = 0.01;  // [m/s]
 
-template <class P>
-Stop elastoplastic(const P& disc, double k, double tolerance) {
-  const auto motion = elastoplastic_motion(disc, k);
-  using Motion = decltype(motion);
-  using Flow = typename std::decay_t<Motion>::Flow;
-  typename Flow::State y{};
-  y[3] = 1, y[5] = 20;
-  Flow flow([&](double, const auto& x, auto& dx) { dx = motion(Vector3::Zero(), x); }, y, 0, {.tolerance = tolerance});
-  flow.watch([](double, const auto& x) { return std::hypot(x[3], x[4], R * x[5]) - slow; });
-  flow.run(horizon, [](double, const auto&, std::size_t) { return true; });
-  const auto& x = flow.state();
+template <class Motion>
+auto rates_of(const Motion& motion) {
+  return [&](double, const BristleState& x, BristleState& dx) { dx = motion(Vector3::Zero(), x); };
+}
+
+template <class P, class Flow>
+Stop stop_of(const P& disc, Flow&& flow) {
+  flow.watch([](double, const BristleState& x) { return std::hypot(x[3], x[4], R * x[5]) - slow; });
+  flow.run(horizon, [](double, const BristleState&, std::size_t) { return true; });
+  const BristleState x = flow.state();
   return stop_from(disc, flow.time(), {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, flow.evaluations());
 }
+
+template <class P, class Motion>
+Stop by_dopri5(const P& disc, const Motion& motion, double tolerance) {
+  return stop_of(disc, Trajectory<11>(rates_of(motion), bristle_start, 0, {.tolerance = tolerance}));
+}
+
+#ifdef PATCHGRIP_WITH_SUNDIALS
+template <class P, class Motion>
+Stop by_cvode(const P& disc, const Motion& motion, patchgrip::bench::SundialsMethod method, double tolerance) {
+  return stop_of(disc, patchgrip::bench::SundialsFlow<11>(method, rates_of(motion), bristle_start, 0, tolerance));
+}
+#endif
 
 // Steps of Runge and Kutta, all alike.
 template <class P>
 Stop elastoplastic_rk4(const P& disc, double k, double h) {
   const auto motion = elastoplastic_motion(disc, k);
-  using State = typename std::decay_t<decltype(motion)>::State;
-  const auto rates = [&](const State& x) { return motion(Vector3::Zero(), x); };
-  const auto moved = [](State x, double step, const State& dx) {
+  const auto rates = [&](const BristleState& x) { return motion(Vector3::Zero(), x); };
+  const auto moved = [](BristleState x, double step, const BristleState& dx) {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += step * dx[i];
     return x;
   };
-  State y{};
-  y[3] = 1, y[5] = 20;
+  BristleState y = bristle_start;
   long evaluations = 0;
   double t = 0;
   while (t < horizon && std::hypot(y[3], y[4], R * y[5]) > slow) {
-    const State a = rates(y), b = rates(moved(y, h / 2, a)), c = rates(moved(y, h / 2, b)), d = rates(moved(y, h, c));
+    const BristleState a = rates(y), b = rates(moved(y, h / 2, a)), c = rates(moved(y, h / 2, b)),
+                       d = rates(moved(y, h, c));
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += h / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
     t += h;
     evaluations += 4;
@@ -168,10 +218,25 @@ void measure(const Truth& truth, const P& disc, bool is_short, std::ostream& csv
     row("return_mapping", "sdirk2", h, [&] { return return_mapping(disc, 1e8, Method::sdirk2, h); });
   for (const double h : steps)
     row("return_mapping", "implicit_euler", h, [&] { return return_mapping(disc, 1e8, Method::implicit_euler, h); });
+  for (const double h : steps) row("stack", "sdirk2", h, [&] { return stack(disc, 1e8, h); });
+  const auto plastic = elastoplastic_motion(disc, 1e5);
+  const auto half = half_freedom_motion(disc, 1e6, 1e3);
   for (const double tolerance : {1e-4, 1e-6, 1e-8})
-    row("elastoplastic", "dopri5", tolerance, [&] { return elastoplastic(disc, 1e5, tolerance); });
+    row("elastoplastic", "dopri5", tolerance, [&] { return by_dopri5(disc, plastic, tolerance); });
+  for (const double tolerance : {1e-4, 1e-6, 1e-8})
+    row("half_freedom", "dopri5", tolerance, [&] { return by_dopri5(disc, half, tolerance); });
   for (const double h : {1e-4, 4e-5, 1e-5})
     row("elastoplastic", "rk4", h, [&] { return elastoplastic_rk4(disc, 1e5, h); });
+#ifdef PATCHGRIP_WITH_SUNDIALS
+  using patchgrip::bench::SundialsMethod;
+  for (const auto& [integrator, method] :
+       {std::pair{"cvode_bdf", SundialsMethod::bdf}, {"cvode_adams", SundialsMethod::adams}}) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+      row("elastoplastic", integrator, tolerance, [&] { return by_cvode(disc, plastic, method, tolerance); });
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+      row("half_freedom", integrator, tolerance, [&] { return by_cvode(disc, half, method, tolerance); });
+  }
+#endif
   fmt::print("\n");
 }
 
