@@ -76,7 +76,7 @@ std::string convergence_figure(const Study& study) {
 }
 
 std::string stress_figure(const PlaneField& field, double reach) {
-  constexpr double scale_width = 24, margin = 4, size = 76;  // [mm]
+  constexpr double scale_width = 24, margin = 4, size = 76, bar = 50, bar_name = 6;  // [mm]
   double top = -1e300, right = 0, bottom = 1e300, most = 0;
   for (const auto& p : field.points) top = std::max(top, p[1]);
   std::vector<std::array<std::size_t, 3>> shown;
@@ -93,7 +93,8 @@ std::string stress_figure(const PlaneField& field, double reach) {
     }
   }
   const double per_length = size / std::max(right, top - bottom);
-  cli::Svg svg(2 * margin + per_length * right + scale_width, 2 * margin + per_length * (top - bottom));
+  const double height = std::max(per_length * (top - bottom), bar + bar_name);
+  cli::Svg svg(2 * margin + per_length * right + scale_width, 2 * margin + height);
   for (const auto& triangle : shown) {
     std::array<cli::Spot, 3> corners;
     double mean = 0;
@@ -104,7 +105,7 @@ std::string stress_figure(const PlaneField& field, double reach) {
     }
     svg.polygon(corners, ramp(mean / most), {{0.3, 0.3, 0.3}, 0.05});
   }
-  const double x = 2 * margin + per_length * right, bar = 50;
+  const double x = 2 * margin + per_length * right;
   for (int k = 0; k < 50; ++k) {
     const double y = margin + bar * (1 - (k + 1) / 50.);
     svg.polygon(std::array<cli::Spot, 4>{{{x, y}, {x + 4, y}, {x + 4, y + 1.05}, {x, y + 1.05}}}, ramp(k / 49.),
