@@ -107,6 +107,23 @@ TEST(LocalStribeckError, OfAPowerEllipseIsWithinItsError) {
 }
 
 // Poles about the line, down to 1e-16 of its length beside it, and far away.
+// Two results of the quadrature agree in thirteen digits by chance, and are off by as much: 30 times what was said once.
+TEST(LocalStribeckError, OfANeedleIsWithinItsErrorWhereResultsAgreeByChance) {
+  const struct {
+    double a, b;
+    Twist u;
+  } needles[] = {{0x1.becc6775427d4p-7,
+                  0x1.67d401012ade1p+13,
+                  {-0x1.55ecc8c64c0b7p-3, 0x1.24e46c9aeed28p-22, 0x1.26a80b8bbc14ep-16}},
+                 {0x1.b328001d804a1p-3,
+                  0x1.0f9e1ec43511ep+13,
+                  {0x1.1f7c1862132c9p-3, -0x1.173b2c9f56756p-19, 0x1.c59419900ea86p-16}}};
+  for (const auto& [a, b, u] : needles) {
+    expect_within_error(stribeck_excess(PowerEllipse::of_semi_axes(a, b, 0), u), power_ellipse_excess(a, b, 0, u), b,
+                        2e-14);
+  }
+}
+
 TEST(LocalStribeckError, OfALineIsWithinItsError) {
   std::mt19937_64 engine(20060310);
   for (int i = cases(300); i > 0; --i) {
