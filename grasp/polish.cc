@@ -97,9 +97,8 @@ bool Polish::arrange(const GripProblem& problem) noexcept {
   return true;
 }
 
-// The residual, and K if asked for; false where a Hessian is infinite.
+// The residual of what arrange() laid out, and K if asked for; false where a Hessian is infinite.
 bool Polish::assemble(const GripProblem& problem, bool with_matrix) noexcept {
-  if (!arrange(problem)) return false;
   if (with_matrix) K_.setZero(count_, count_);
   residual_.setZero(count_);
   Vector6 balance = problem.load;
@@ -213,7 +212,7 @@ bool Polish::solve() noexcept {
 }
 
 bool Polish::factor(const GripProblem& problem) noexcept {
-  if (!assemble(problem, true)) return false;
+  if (!arrange(problem) || !assemble(problem, true)) return false;
   factor();
   return true;
 }
@@ -269,8 +268,10 @@ double Polish::newton(const GripProblem& problem, int max_steps) noexcept {
   constexpr double contracts_well = 1e-4, rounding = 0x1p-53;
   double before = 1;
   for (int k = 0; k < max_steps; ++k) {
-    const bool again = reusable_ && !displaced_;
     change_ = std::numeric_limits<double>::infinity();
+    if (!arrange(problem)) return change_;
+    // The last problem may have been one of other unknowns.
+    const bool again = reusable_ && !displaced_ && scale_.size() == count_;
     if (!assemble(problem, !again)) return change_;
     if (!again) factor();
     if (!solve()) return change_;

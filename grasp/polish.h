@@ -6,8 +6,9 @@
 //     F_i        free: rho_i(W) = 0 (total_force: 1);  at its cap: F_i = c_i s, rho_i >= 0;  open: F_i = 0, rho_i <= 0
 //     and        sum c_i rho_i+ = 1 (max_force), w_1 . W = 1 (load_factor), M W = balance (distance)
 //
-// From the last problem's solution the first step is taken with the last problem's matrix. The matrix is symmetric, of size 6 (7) + one for each free force + the friction components that stick. Where forces
+// The matrix is symmetric, of size 6 (7) + one for each free force + the friction components that stick. Where forces
 // or twist are not unique it is singular but solvable: complete pivoting leaves what it does not determine as it was.
+// It is used again while it gains four digits a step; from the last problem's solution it takes the first step, too.
 // After convergence wrong signs change the guess, and it starts again.
 //
 // Nothing here is believed: bracket.h evaluates what comes out afresh.

@@ -135,6 +135,26 @@ TEST(GraspLaws, AWarmStartGivesTheSameAnswer) {
   }
 }
 
+// What another question left has other unknowns.
+TEST(GraspLaws, AWarmStartAfterAnotherQuestionGivesTheSameAnswer) {
+  for (const DrawnGrasp& g : held_grasps(12, 20)) {
+    Grasp grasp(g.made()), fresh(g.made());
+    const double s = fresh.least_grip(g.load).value;
+    const std::vector<double> limits(g.contacts.size(), 2 * s);
+    const auto next_is_right = [&] { EXPECT_NEAR(grasp.next_least_grip(g.load).value, s, 1e-11 * s); };
+    grasp.least_total_grip(g.load);
+    next_is_right();
+    grasp.holds_within(g.load, limits);
+    next_is_right();
+    grasp.load_factor(Vector6::Zero(), g.load, limits);
+    next_is_right();
+    grasp.force_closure();
+    next_is_right();
+    grasp.least_quadratic_grip(g.load, 0.1, 0.02);
+    next_is_right();
+  }
+}
+
 TEST(Grasp, NoLoadNeedsNoGrip) {
   GraspDraws draws(10);
   Grasp grasp(draws.draw(Class::inside).made());
