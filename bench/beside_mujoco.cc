@@ -14,8 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <ctime>
-#include <limits>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -23,6 +21,7 @@
 #include <vector>
 
 #include <patchgrip/bench/command_line.h>
+#include <patchgrip/bench/cpu_time.h>
 #include <patchgrip/dynamics/bristle_body.h>
 #include <patchgrip/dynamics/point_motion.h>
 #include <patchgrip/friction/uniform_disc.h>
@@ -31,6 +30,7 @@
 namespace {
 
 using namespace patchgrip::dynamics;
+using patchgrip::bench::least_cpu_time;
 using patchgrip::friction::UniformDisc;
 
 constexpr double h = 2e-3, R = 0.05, J = R * R / 2, gravity = 9.81, mu = 0.5, L = mu * gravity;
@@ -67,30 +67,6 @@ class StopWatch {
   double time_ = 0, distance_ = 0;
 };
 
-// Least CPU time [us] of a run, per simulated second.
-template <class Run>
-double least_time(const Run& run, double simulated, double seconds) {
-  double least = std::numeric_limits<double>::infinity(), spent = 0;
-  do {
-    const std::clock_t begin = std::clock();
-    run();
-    const double s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    least = std::min(least, s);
-    spent += s;
-  } while (spent < seconds);
-  return 1e6 * least / simulated;
-}
-
-// Of many short runs at once: the clock ticks in microseconds.
-template <class Run>
-double least_time_of(int runs, const Run& run, double simulated, double seconds) {
-  return least_time(
-      [&] {
-        for (int i = 0; i < runs; ++i) run();
-      },
-      runs * simulated, seconds);
-}
-
 // --- ours
 
 const auto no_load = [](double) { return Vector3(Vector3::Zero()); };
@@ -113,8 +89,7 @@ Answer ours(double seconds) {
   puck(&watch);
   a.time = watch.time();
   a.distance = watch.distance();
-  a.puck_us = least_time_of(
-      20, [&] { puck(nullptr); }, 0.4, seconds);
+  a.puck_us = least_cpu_time([&] { puck(nullptr); }, seconds) / 0.4;
 
   const auto belt = [] {
     const PointMotion motion({belt_mass, belt_spring, 0, belt_speed}, Law::coulomb(belt_mu));
@@ -123,7 +98,7 @@ Answer ours(double seconds) {
         .state.x;
   };
   a.place = belt();
-  a.belt_us = least_time_of(2, belt, belt_end, seconds);
+  a.belt_us = least_cpu_time(belt, seconds) / belt_end;
 
   const auto hold = [&] {
     PlanarState s;
@@ -135,7 +110,7 @@ Answer ours(double seconds) {
     return s.place[0];
   };
   a.creep = std::fabs(hold()) / 10;
-  a.hold_us = least_time(hold, 10, seconds);
+  a.hold_us = least_cpu_time(hold, seconds) / 10;
   return a;
 }
 
@@ -229,8 +204,7 @@ Answer mujoco(const Setup& setup, double seconds) {
   slide(&watch);
   a.time = watch.time();
   a.distance = watch.distance();
-  a.puck_us = least_time_of(
-      20, [&] { slide(nullptr); }, 0.4, seconds);
+  a.puck_us = least_cpu_time([&] { slide(nullptr); }, seconds) / 0.4;
 
   double creep = 0;
   const auto hold = [&] {
@@ -244,7 +218,7 @@ Answer mujoco(const Setup& setup, double seconds) {
     }
     creep = std::fabs(d.qpos[0] - half) / 5;
   };
-  a.hold_us = least_time(hold, 10, seconds);
+  a.hold_us = least_cpu_time(hold, seconds) / 10;
   a.creep = creep;
 
   Simulation belt(belt_scene(setup));
@@ -258,7 +232,7 @@ Answer mujoco(const Setup& setup, double seconds) {
   };
   ride();
   a.place = belt.data().qpos[1];
-  a.belt_us = least_time(ride, belt_end, seconds);
+  a.belt_us = least_cpu_time(ride, seconds) / belt_end;
   return a;
 }
 

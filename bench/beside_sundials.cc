@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -28,6 +27,7 @@
 #include <vector>
 
 #include <patchgrip/bench/command_line.h>
+#include <patchgrip/bench/cpu_time.h>
 #include <patchgrip/bench/sundials.h>
 #include <patchgrip/dynamics/bristle_motion.h>
 #include <patchgrip/dynamics/point_bristle.h>
@@ -39,6 +39,7 @@
 namespace {
 
 using namespace patchgrip::dynamics;
+using patchgrip::bench::least_cpu_time;
 using patchgrip::bench::SundialsFlow;
 using patchgrip::bench::SundialsMethod;
 using patchgrip::friction::HertzDisc;
@@ -154,20 +155,6 @@ struct Run {
   double place_error, event_error, us;
 };
 
-// Least CPU time of a run [us].
-template <class F>
-double least_time(const F& run, double seconds) {
-  double least = std::numeric_limits<double>::infinity(), spent = 0;
-  do {
-    const std::clock_t begin = std::clock();
-    run();
-    const double s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    least = std::min(least, s);
-    spent += s;
-  } while (spent < seconds);
-  return 1e6 * least;
-}
-
 double distance(const Answer& a, const Answer& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.place.size(); ++i) sum += (a.place[i] - b.place[i]) * (a.place[i] - b.place[i]);
@@ -193,7 +180,7 @@ void measure(const Problem<n>& p, double seconds, std::ostream& csv) {
     std::vector<Run> runs;
     for (const double tolerance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
       const Answer a = solved(tolerance);
-      const double us = least_time([&] { solved(tolerance); }, seconds);
+      const double us = least_cpu_time([&] { solved(tolerance); }, seconds);
       runs.push_back({distance(a, truth), std::fabs(a.event - truth.event), us});
       const Run& r = runs.back();
       fmt::print("  {:<12} {:>10.0e} {:>19.1e} {:>13.1e} {:>12} {:>10.1f}\n", integrator, tolerance, r.place_error,

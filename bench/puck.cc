@@ -11,14 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <patchgrip/bench/command_line.h>
+#include <patchgrip/bench/cpu_time.h>
 #ifdef PATCHGRIP_WITH_SUNDIALS
 #include <patchgrip/bench/sundials.h>
 #endif
@@ -181,21 +180,6 @@ struct Truth {
   double time, distance;
 };
 
-// Least CPU time of a run [us].
-template <class Run>
-double least_time(const Run& run, double seconds) {
-  double least = std::numeric_limits<double>::infinity(), spent = 0;
-  do {
-    const std::clock_t begin = std::clock();
-    int n = 0;
-    while (std::clock() - begin < CLOCKS_PER_SEC / 1000) run(), ++n;
-    const double s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    least = std::min(least, s / n);
-    spent += s;
-  } while (spent < seconds);
-  return 1e6 * least;
-}
-
 template <class P>
 void measure(const Truth& truth, const P& disc, bool is_short, std::ostream& csv) {
   fmt::print(
@@ -203,7 +187,7 @@ void measure(const Truth& truth, const P& disc, bool is_short, std::ostream& csv
       truth.name);
   const auto row = [&](const char* law, const char* integrator, double setting, const auto& run) {
     const Stop stop = run();
-    const double us = least_time(run, is_short ? 0.01 : 0.1);
+    const double us = patchgrip::bench::least_cpu_time(run, is_short ? 0.01 : 0.1);
     const double time = std::fabs(stop.time - truth.time), way = std::fabs(stop.distance - truth.distance);
     fmt::print("{:<12} {:<15} {:<15} {:>8.1e} {:>18.1e} {:>16.1e} {:>12} {:>8.1f}\n", truth.name, law, integrator,
                setting, time, way, stop.evaluations, us);
