@@ -145,8 +145,8 @@ int main(int argc, char** argv) {
       is_fine = false;
     }
   }
-  is_fine = solvers_agree(session) && is_fine;
   try {
+    is_fine = solvers_agree(session) && is_fine;
     write(options.output / "report.html", html_page(options.level, session.report));
   } catch (const std::exception& error) {
     std::cerr << "patchgrip-verify: " << error.what() << "\n";

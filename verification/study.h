@@ -2,10 +2,14 @@
 //
 //     q_h - q ~ h^p:      error <= |q_fine - q_coarse| / (r^p - 1),   r = ratio of the mesh sizes   (Richardson)
 //
-// p is observed from the last three meshes, and taken as no more than 2 and no less than 1/2; from two meshes it is
-// taken as 1. A difference that happens to be small is not trusted: the one before, shrunk by r^2, bounds it from
-// below. To this comes what the last mesh but one changes when the body is made twice as large, times 4/3: the far
-// field leaves an error that falls at least quadratically with the size.
+// p is observed from the last three meshes,
+//
+//     |q_1 - q_0| / |q_2 - q_1| = (h_0^p - h_1^p) / (h_1^p - h_2^p)
+//
+// and taken as no less than 1/2 and no more than 2; from two meshes it is taken as 1. A difference that happens to be
+// small is not trusted: the one before, shrunk as at p = 2, bounds it from below. To this comes what the last mesh but
+// one changes when the body is made twice as large, times 4/3: the far field leaves an error that falls at least
+// quadratically with the size.
 #pragma once
 
 #include <cstddef>
@@ -63,7 +67,11 @@ struct Study {
 
 using Solver = std::function<Solved(const Setting&)>;
 
-// At least two settings, from coarse to fine; without an extent there is no larger body.
+// The p of the equation above for n_0 < n_1 < n_2 elements; NaN where none from -6 to 20 solves it.
+double observed_order(double n_0, double n_1, double n_2, double ratio_of_steps);
+
+// At least two settings, from coarse to fine; without an extent there is no larger body. Throws std::runtime_error
+// where a solution has other values than what is claimed, or values that are not finite.
 Study study(const std::vector<Quantity>& quantities, const std::vector<Setting>& settings, const Solver& solve,
             const std::function<void(const Run&)>& progress);
 

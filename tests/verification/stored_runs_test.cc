@@ -68,6 +68,14 @@ TEST(TwoSolvers, DisagreeWhereOneIsOffByMoreThanTheirErrors) {
   }
 }
 
+TEST(TwoSolvers, DisagreeWhereAnyEntryIsNotANumber) {
+  const SolverPair& pair = solver_pairs()[1];
+  const StoredRun first = read_stored_run(file_of(pair.first));
+  StoredRun second = read_stored_run(file_of(pair.second));
+  second.quantities.at(1).fe.front() = std::nan("");
+  EXPECT_FALSE(agreement(pair, first, second).is_within_bound);
+}
+
 TEST(StoredRuns, AreReadAsTheyWereWritten) {
   const auto file = file_of("sphere");
   std::stringstream text;
@@ -102,6 +110,14 @@ TEST(Comparison, JudgesOnlyWhatFiniteElementsCanTell) {
   EXPECT_EQ(compare(quantity, {1.2, 2}, {0.05, 0.01}, 1).verdict, Verdict::differs);
   EXPECT_TRUE(compare(quantity, {1.2, 2}, {0.05, 0.01}, 1).is_as_claimed());
   EXPECT_EQ(compare(quantity, {1.02, 2}, {0.05, 0.01}, 1).verdict, Verdict::cannot_judge);
+  EXPECT_FALSE(compare(quantity, {1.02, 2}, {0.05, 0.01}, 1).is_as_claimed()) << "a difference has to be seen";
+}
+
+TEST(Comparison, RefusesWhatIsNotANumber) {
+  const Quantity quantity{"x", "1", {1, 2}, 2, 0.01, "", Claim::agrees};
+  EXPECT_THROW(compare(quantity, {std::nan(""), 2}, {0.01, 0.01}, 1), std::runtime_error);
+  EXPECT_THROW(compare(quantity, {1, 2}, {0.01, std::nan("")}, 1), std::runtime_error);
+  EXPECT_THROW(compare(quantity, {1}, {0.01}, 1), std::runtime_error);
 }
 
 TEST(Claims, UnknownNamesAreRefused) { EXPECT_THROW(claims_of("spheer"), std::out_of_range); }

@@ -18,13 +18,13 @@ namespace {
 constexpr double hole = CalculixPress::hole;
 
 CalculixPress spherical_press(const Setting& setting, std::function<double(double)> height) {
+  // Faces that can touch go beyond the contact, the rigid body beyond them.
   constexpr double rigid_reach = 1.4, touched_reach = 1.35;
   return {QuadSection::half_space(hole, setting.extent, setting.elements),
           setting.extent,
           setting.elements,
           std::move(height),
           rigid_reach,
-          1,
           touched_reach};
 }
 
@@ -49,7 +49,7 @@ Solved pressed_to(const CalculixPress& press, const contact::Material& material,
       press.far_field(force, material) + "*NODE PRINT,NSET=RIGID,TOTALS=ONLY\nRF\n*EL FILE\nS\n*END STEP\n");
   const auto line = press.pressure(result);
   Solved solved;
-  solved.values = {{-CalculixPress::sectors * result.total_force(1)}, smooth_values_at(line, radii)};
+  solved.values = {{-CalculixPress::sectors * result.total_force(1)}, values_at(line, radii, 3)};
   solved.unknowns = 2 * press.section.nodes.size();
   solved.curves.push_back(pressure_curve(line, library, shown_reach));
   return solved;
@@ -71,8 +71,7 @@ Solved solve_flat_punch_by_calculix(const Setting& setting) {
       setting.extent,
       setting.elements,
       [](double) { return 0.; },
-      1 + hole,
-      1,
+      1 + hole,  // as wide as the faces, which begin at the hole
       1};
   return pressed_to(
       press, punch.material, punch.library.force, punch.library.approach, punch.radii,
@@ -100,13 +99,14 @@ Solved solve_creep_by_calculix(const Setting& setting) {
   step("*STATIC\n.25,1.,1e-5,.5\n", 0);
   double at = 0;
   for (const double t : claim.times) {
-    const double most = (t - at) / setting.elements;
+    // Steps are of first order: n^2 of them make their error fall as that of the mesh.
+    const double most = 4 * (t - at) / (setting.elements * setting.elements);
     step(fmt::format("*VISCO,CETOL=1e-3\n{0:.12g},{1:.12g},{2:.12g},{0:.12g}\n", most, t - at, 1e-6 * most), t);
     at = t;
   }
   std::vector<double> approaches;
   for (const auto& row : run_calculix(input).printed("displacements")) approaches.push_back(-row.at(2));
-  approaches.erase(approaches.begin());
+  approaches.erase(approaches.begin());  // that before the creep
   Solved solved;
   solved.values = {approaches, approaches};
   solved.unknowns = 2 * press.section.nodes.size();

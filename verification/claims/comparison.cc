@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace patchgrip::verification {
 
@@ -17,8 +19,21 @@ std::vector<double> distances(const std::vector<double>& one, const std::vector<
   return apart;
 }
 
+void require_complete(const Quantity& quantity, const std::vector<double>& fe) {
+  const std::size_t count = quantity.library.size();
+  if (fe.size() != count) {
+    throw std::runtime_error("of '" + quantity.name + "' " + std::to_string(fe.size()) + " values were found, not " +
+                             std::to_string(count));
+  }
+  if (!std::all_of(fe.begin(), fe.end(), [](double x) { return std::isfinite(x); })) {
+    throw std::runtime_error("'" + quantity.name + "' is not finite");
+  }
+}
+
 Comparison compare(const Quantity& quantity, const std::vector<double>& fe, const std::vector<double>& fe_error,
                    double order) {
+  require_complete(quantity, fe);
+  require_complete(quantity, fe_error);
   Comparison c{quantity,
                fe,
                fe_error,

@@ -1,7 +1,9 @@
 // A claim held against finite elements.
 //
 // Verdict  agrees, or differs, where FE's error allows to tell; else cannot_judge: FE's error exceeds the tolerance, or
-//          the difference that is claimed.
+//          the difference that is claimed. What is claimed to agree must not differ; a claimed difference must be seen.
+// Throws   std::runtime_error where FE found another number of values, or one that is not finite: a maximum would pass
+//          over it.
 #pragma once
 
 #include <string_view>
@@ -23,12 +25,14 @@ struct Comparison {
   Verdict verdict;
 
   bool is_as_claimed() const noexcept {
-    return verdict != (quantity.claim == Claim::agrees ? Verdict::differs : Verdict::agrees);
+    return quantity.claim == Claim::agrees ? verdict != Verdict::differs : verdict == Verdict::differs;
   }
 };
 
 Comparison compare(const Quantity& quantity, const std::vector<double>& fe, const std::vector<double>& fe_error,
                    double order);
+
+void require_complete(const Quantity& quantity, const std::vector<double>& fe);
 
 // Their absolute values' largest; absolute differences, element by element.
 double largest_of(const std::vector<double>& values);

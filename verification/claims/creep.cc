@@ -95,7 +95,8 @@ CreepingPress shear_held() { return press(History::step(peak_force), graded_time
 
 CreepingPress shear_held_by_calculix() {
   return press(History::step(peak_force), graded_times(), 5e-3,
-               "0.5 % over the history: the step in time is O(h) in CalculiX", false);
+               "0.5 % over the history: CalculiX takes first-order steps in time, n^2 / 4 of them between two times",
+               false);
 }
 
 CreepingPress ramped() { return press(History::ramp(peak_force / end), graded_times(), 3e-3, growing_reason); }

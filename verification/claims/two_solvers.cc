@@ -48,13 +48,11 @@ Agreement agreement(const SolverPair& pair, const StoredRun& first, const Stored
   const Found one = found(first, pair.first, pair.first_quantity);
   const Found other = found(second, pair.second, pair.second_quantity);
   Agreement worst{0, 0, true};
-  double most_used = -1;
   for (std::size_t k = 0; k < one.off.size(); ++k) {
     const double apart = std::fabs(pair.factor * one.off[k] - other.off.at(k));
     const double bound = std::fabs(pair.factor) * one.error[k] + other.error[k];
-    if (apart / bound <= most_used) continue;
-    most_used = apart / bound;
-    worst = {apart, bound, apart <= bound};
+    const bool uses_more = k == 0 || apart * worst.bound > worst.apart * bound;
+    worst = {uses_more ? apart : worst.apart, uses_more ? bound : worst.bound, worst.is_within_bound && apart <= bound};
   }
   return worst;
 }

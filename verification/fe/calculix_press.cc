@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <span>
@@ -14,57 +15,31 @@ namespace {
 
 constexpr double rigid_height = 0.5, penalty = 100;
 
-// Nodes of the rigid strip, numbered after those of the half-space: two intervals an element, two layers.
-struct Strip {
-  int first_node, intervals;
+// Nodes of the rigid element, numbered after those of the half-space in ccx's order: halves along and up.
+constexpr std::array<std::array<int, 2>, 8> rigid_nodes{
+    {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}}};
 
-  int node(int along, int up) const { return first_node + 3 * along + up; }
-  bool has(int along, int up) const { return along % 2 == 0 || up != 1; }  // no node in the middle of an element
-};
-
-Strip strip_of(const CalculixPress& press) {
-  return {static_cast<int>(press.section.nodes.size()) + 1, 2 * press.rigid_elements};
-}
+int first_rigid_node(const CalculixPress& press) { return static_cast<int>(press.section.nodes.size()) + 1; }
 
 double near(const CalculixPress& press) { return 1e-7 * press.extent; }
 
 }  // namespace
 
-std::vector<double> smooth_values_at(const std::vector<std::pair<Point, double>>& line,
-                                     const std::vector<double>& radii) {
-  std::vector<double> values;
-  for (const double r : radii) {
-    const auto is_beyond = [&](const auto& node) { return node.first[0] >= r; };
-    const auto last = std::find_if(line.begin() + 2, line.end() - 1, is_beyond);
-    double value = 0;
-    for (auto one = last - 2; one <= last; ++one) {
-      double share = 1;
-      for (auto other = last - 2; other <= last; ++other) {
-        if (other != one) share *= (r - other->first[0]) / (one->first[0] - other->first[0]);
-      }
-      value += share * one->second;
-    }
-    values.push_back(value);
-  }
-  return values;
-}
-
 std::string CalculixPress::bodies(const std::vector<std::string>& element_sets) const {
-  const Strip strip = strip_of(*this);
+  const int first = first_rigid_node(*this);
   std::string input = "*NODE,NSET=NALL\n";
   const auto out = std::back_inserter(input);
-  for (int i = 0; i + 1 < strip.first_node; ++i) {
+  for (int i = 0; i + 1 < first; ++i) {
     const auto& p = section.nodes[static_cast<std::size_t>(i)];
     fmt::format_to(out, "{},{:.12g},{:.12g},0.\n", i + 1, p[0], p[1]);
   }
-  std::string rigid_nodes;
-  for (int k = 0; k <= strip.intervals; ++k) {
-    const double r = std::lerp(hole, rigid_reach, static_cast<double>(k) / strip.intervals);
-    for (int up = 0; up < 3; ++up) {
-      if (!strip.has(k, up)) continue;
-      fmt::format_to(out, "{},{:.12g},{:.12g},0.\n", strip.node(k, up), r, height(r) + rigid_height * up / 2);
-      rigid_nodes += fmt::format("{},\n", strip.node(k, up));
-    }
+  std::string rigid;  // their numbers
+  for (std::size_t k = 0; k < rigid_nodes.size(); ++k) {
+    const auto [along, up] = rigid_nodes[k];
+    const double r = std::lerp(hole, rigid_reach, along / 2.);
+    const int node = first + static_cast<int>(k);
+    fmt::format_to(out, "{},{:.12g},{:.12g},0.\n", node, r, height(r) + rigid_height * up / 2);
+    rigid += fmt::format(",{}", node);
   }
   int number = 0;
   std::string touched;  // sides are numbered from the first corner on
@@ -83,16 +58,11 @@ std::string CalculixPress::bodies(const std::vector<std::string>& element_sets) 
       }
     }
   }
-  input += "*ELEMENT,TYPE=CAX8,ELSET=RIGID\n";
-  std::string touching;
-  for (int i = 0; i < strip.intervals; i += 2) {
-    fmt::format_to(out, "{},{},{},{},{},{},{},{},{}\n", ++number, strip.node(i, 0), strip.node(i + 2, 0),
-                   strip.node(i + 2, 2), strip.node(i, 2), strip.node(i + 1, 0), strip.node(i + 2, 1),
-                   strip.node(i + 1, 2), strip.node(i, 1));
-    touching += fmt::format("{},S1\n", number);
-  }
-  return input + "*NSET,NSET=RIGID\n" + rigid_nodes + fmt::format("*NSET,NSET=REFERENCE\n{}\n", strip.first_node) +
-         "*SURFACE,NAME=TOUCHED,TYPE=ELEMENT\n" + touched + "*SURFACE,NAME=TOUCHING,TYPE=ELEMENT\n" + touching;
+  ++number;
+  return input + fmt::format("*ELEMENT,TYPE=CAX8,ELSET=RIGID\n{}{}\n", number, rigid) +
+         fmt::format("*NSET,NSET=RIGID\n{}\n*NSET,NSET=REFERENCE\n{}\n", rigid.substr(1), first) +
+         "*SURFACE,NAME=TOUCHED,TYPE=ELEMENT\n" + touched +
+         fmt::format("*SURFACE,NAME=TOUCHING,TYPE=ELEMENT\n{},S1\n", number);
 }
 
 std::string CalculixPress::contact(double contact_modulus) const {
@@ -103,13 +73,10 @@ std::string CalculixPress::contact(double contact_modulus) const {
 }
 
 std::string CalculixPress::rigid_as_one() const {
-  const Strip strip = strip_of(*this);
+  const int first = first_rigid_node(*this);
   std::string equations;
-  for (int k = 0; k <= strip.intervals; ++k) {
-    for (int up = 0; up < 3; ++up) {
-      if (!strip.has(k, up) || strip.node(k, up) == strip.first_node) continue;
-      equations += fmt::format("*EQUATION\n2\n{},2,1.,{},2,-1.\n", strip.node(k, up), strip.first_node);
-    }
+  for (int k = 1; k < static_cast<int>(rigid_nodes.size()); ++k) {
+    equations += fmt::format("*EQUATION\n2\n{},2,1.,{},2,-1.\n", first + k, first);
   }
   return equations;
 }

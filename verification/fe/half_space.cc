@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <stdexcept>
 
 namespace patchgrip::verification {
 namespace {
@@ -96,14 +97,25 @@ std::string stretch_around_axis(const std::string& field) {
 
 std::string von_mises_of_revolution() { return "2*G*sqrt(1.5)*Norm(Deviator(" + strain_of_revolution("u") + "))"; }
 
-std::vector<double> values_at(const std::vector<std::pair<Point, double>>& line, const std::vector<double>& radii) {
+std::vector<double> values_at(const std::vector<std::pair<Point, double>>& line, const std::vector<double>& radii,
+                              std::size_t points) {
   std::vector<double> values;
   for (const double r : radii) {
-    const auto next =
-        std::find_if(line.begin() + 1, line.end() - 1, [&](const auto& node) { return node.first[0] >= r; });
-    const auto& [from, low] = *std::prev(next);
-    const auto& [to, high] = *next;
-    values.push_back(std::lerp(low, high, (r - from[0]) / (to[0] - from[0])));
+    if (line.size() < points || r < line.front().first[0] || r > line.back().first[0]) {
+      throw std::out_of_range(fmt::format("no {} nodes around r = {}", points, r));
+    }
+    const auto is_beyond = [&](const auto& node) { return node.first[0] >= r; };
+    const auto last = std::find_if(line.begin() + static_cast<std::ptrdiff_t>(points) - 1, line.end() - 1, is_beyond);
+    const auto first = last - static_cast<std::ptrdiff_t>(points) + 1;
+    double value = 0;
+    for (auto one = first; one <= last; ++one) {
+      double share = 1;
+      for (auto other = first; other <= last; ++other) {
+        if (other != one) share *= (r - other->first[0]) / (one->first[0] - other->first[0]);
+      }
+      value += share * one->second;
+    }
+    values.push_back(value);
   }
   return values;
 }

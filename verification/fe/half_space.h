@@ -46,8 +46,10 @@ std::string strain_of_revolution(const std::string& field);
 std::string stretch_around_axis(const std::string& field);  // u_r / r, and on the axis du_r / dr
 std::string von_mises_of_revolution();                      // [Pa], from u, G, la
 
-// Straight between the nodes of the line, as a linear multiplier is.
-std::vector<double> values_at(const std::vector<std::pair<Point, double>>& line, const std::vector<double>& radii);
+// At radii within the line, by the polynomial through so many neighbouring nodes: straight as a linear multiplier is, or
+// the parabola through 3. Throws std::out_of_range outside the line, or where it has fewer nodes.
+std::vector<double> values_at(const std::vector<std::pair<Point, double>>& line, const std::vector<double>& radii,
+                              std::size_t points = 2);
 // Both up to a radius.
 Curve pressure_curve(const std::vector<std::pair<Point, double>>& line, const std::function<double(double)>& library,
                      double reach);
