@@ -15,9 +15,10 @@
 //
 //     E = (1 / 2 pi) int dphi [n; W s] int_-1^1 q(s) g(u . n + w W s) ds,   q = (1 - s^2)^n / B(1/2, n + 1)
 //
-// with W the half width of the zone; where no point is slower than u = 6.1, E is less than a rounding, and 0. On polygons the triangles between the pole and the edges are integrated along
-// their rays in closed form, beyond two radii those between centroid and edges by points. Lines and rings are
-// integrated along themselves (line_stribeck.cc, ring_stribeck.cc). XydasKaoDisc and StampDisc have no such law.
+// with W the half width of the zone; where no point is slower than u = 6.1, E is less than a rounding, and 0. On
+// polygons the triangles between the pole and the edges are integrated along their rays in closed form, beyond two
+// radii those between centroid and edges by points. Lines and rings are integrated along themselves (line_stribeck.cc,
+// ring_stribeck.cc). XydasKaoDisc and StampDisc have no such law.
 //
 // Units    as law.h.
 // Error    carried: that of t_k, that of v / v_S (below), and an estimate for E, mostly some 1e-15: of the quadrature

@@ -106,8 +106,7 @@ TEST(LocalStribeckError, OfAPowerEllipseIsWithinItsError) {
   }
 }
 
-// Poles about the line, down to 1e-16 of its length beside it, and far away.
-// Two results of the quadrature agree in thirteen digits by chance, and are off by as much: 30 times what was said once.
+// Two results of the quadrature agree in thirteen digits by chance, and are off by as much.
 TEST(LocalStribeckError, OfANeedleIsWithinItsErrorWhereResultsAgreeByChance) {
   const struct {
     double a, b;
@@ -124,6 +123,7 @@ TEST(LocalStribeckError, OfANeedleIsWithinItsErrorWhereResultsAgreeByChance) {
   }
 }
 
+// Poles about the line, down to 1e-16 of its length beside it, and far away.
 TEST(LocalStribeckError, OfALineIsWithinItsError) {
   std::mt19937_64 engine(20060310);
   for (int i = cases(300); i > 0; --i) {
