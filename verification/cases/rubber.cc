@@ -79,7 +79,7 @@ Solved solve_rubber_hemisphere(const Setting& setting) {
     radii.push_back(contact_radius(*model));
   }
   solved.unknowns = model->unknowns();
-  solved.values = {forces, forces, radii, radii, over_power_law(forces, radii)};
+  solved.values = values_of(forces, radii);
   solved.curves.push_back({"force",
                            "approach / R",
                            "force / (G R^2)",

@@ -8,15 +8,17 @@
 namespace patchgrip::verification {
 namespace {
 
+using Hertz = contact::AxisymmetricContact<contact::Paraboloid>;
+
 constexpr double modulus = 4;  // E* = 4 G for nu = 1/2
 
 }  // namespace
 
 RubberHemisphere rubber_hemisphere() {
-  using Hertz = contact::AxisymmetricContact<contact::Paraboloid>;
   using Exact = contact::AxisymmetricContact<contact::Sphere>;
   const std::string reason = "large strains, and a base that is held";
   RubberHemisphere rubber{{0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4}, {}};
+  const std::vector<double> right(rubber.approaches.size(), 1);
   std::vector<double> hertz, sphere, hertz_radius, sphere_radius;
   for (const double d : rubber.approaches) {
     const auto flat = Hertz::at_approach(contact::Paraboloid::of_radius(1), d, modulus);
@@ -31,17 +33,24 @@ RubberHemisphere rubber_hemisphere() {
       {"force of the exact sphere", "N", sphere, sphere.back(), 0, reason, Claim::differs},
       {"radius of Hertz", "m", hertz_radius, hertz_radius.back(), 0, reason, Claim::differs},
       {"radius of the exact sphere", "m", sphere_radius, sphere_radius.back(), 0, reason, Claim::differs},
-      {"radius over that of a power law", "1", std::vector<double>(hertz.size(), 1), 1, 0, reason, Claim::differs}};
+      {"radius over Hertz's under the load", "1", right, 1, 0.08,
+       "8 %: what the held base makes of it at 0.4 R, where 7.5 % was found"},
+      {"radius over a power of the load", "1", right, 1, 0.05,
+       "5 %: one exponent for loads of nearly three decades; 4 % was found"},
+      {"exponent of that power", "1", {1. / 3}, 1. / 3, 0, reason, Claim::differs}};
   return rubber;
 }
 
-std::vector<double> over_power_law(std::span<const double> forces, std::span<const double> radii) {
+std::vector<std::vector<double>> values_of(const std::vector<double>& forces, const std::vector<double>& radii) {
   std::vector<contact::MeasuredRadius> points;
   for (std::size_t k = 0; k < forces.size(); ++k) points.push_back({forces[k], radii[k]});
   const contact::PowerLaw law = contact::PowerLawFit::to(points).law;
-  std::vector<double> ratios;
-  for (const auto& [force, radius] : points) ratios.push_back(radius / law.contact_radius(force));
-  return ratios;
+  std::vector<double> over_hertz, over_power;
+  for (const auto& [force, radius] : points) {
+    over_hertz.push_back(radius / Hertz::under_force(contact::Paraboloid::of_radius(1), force, modulus).radius());
+    over_power.push_back(radius / law.contact_radius(force));
+  }
+  return {forces, forces, radii, radii, over_hertz, over_power, {law.gamma}};
 }
 
 }  // namespace patchgrip::verification

@@ -2,11 +2,15 @@
 //
 // Neo-Hooke, incompressible; R = 1 m, G = 1 Pa. Against it stand, of a small contact on a half-space,
 //
-//     Hertz and the exact sphere   F(delta), E* = 4 G
+//     Hertz and the exact sphere   F(delta), a(delta), E* = 4 G
+//     Hertz under the load         a(F) = (3 F R / 4 E*)^(1/3)
 //     a power of the load          a = c F^gamma, fitted to the radii that FE finds (contact/fingertip/power_law.h)
+//
+// FE's pairs of load and radius are judged by ratios to the last two, which are 1 where the law is right.
+//
+// Units    SI. Throws std::invalid_argument where a load or radius is not positive.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include <patchgrip/verification/claims/claim.h>
@@ -19,7 +23,7 @@ struct RubberHemisphere {
 };
 RubberHemisphere rubber_hemisphere();
 
-// a over that of the power of the load which fits all of them best [1].
-std::vector<double> over_power_law(std::span<const double> forces, std::span<const double> radii);
+// What is claimed of them, from the loads [N] and radii [m] at the approaches.
+std::vector<std::vector<double>> values_of(const std::vector<double>& forces, const std::vector<double>& radii);
 
 }  // namespace patchgrip::verification

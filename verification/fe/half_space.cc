@@ -100,8 +100,10 @@ std::string von_mises_of_revolution() { return "2*G*sqrt(1.5)*Norm(Deviator(" + 
 std::vector<double> values_at(const std::vector<std::pair<Point, double>>& line, const std::vector<double>& radii,
                               std::size_t points) {
   std::vector<double> values;
+  const auto radius = [&](std::size_t k) { return line[k].first[0]; };
   for (const double r : radii) {
-    if (line.size() < points || r < line.front().first[0] || r > line.back().first[0]) {
+    const std::size_t n = line.size();
+    if (n < points || r < 2 * radius(0) - radius(1) || r > 2 * radius(n - 1) - radius(n - 2)) {
       throw std::out_of_range(fmt::format("no {} nodes around r = {}", points, r));
     }
     const auto is_beyond = [&](const auto& node) { return node.first[0] >= r; };

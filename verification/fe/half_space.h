@@ -46,8 +46,9 @@ std::string strain_of_revolution(const std::string& field);
 std::string stretch_around_axis(const std::string& field);  // u_r / r, and on the axis du_r / dr
 std::string von_mises_of_revolution();                      // [Pa], from u, G, la
 
-// At radii within the line, by the polynomial through so many neighbouring nodes: straight as a linear multiplier is, or
-// the parabola through 3. Throws std::out_of_range outside the line, or where it has fewer nodes.
+// At radii of the line, by the polynomial through so many neighbouring nodes, 2 or more: straight as a linear multiplier
+// is, or the parabola through 3. Throws std::out_of_range where the line has fewer nodes, or is left by more than its
+// last two are apart.
 std::vector<double> values_at(const std::vector<std::pair<Point, double>>& line, const std::vector<double>& radii,
                               std::size_t points = 2);
 // Both up to a radius.
