@@ -22,11 +22,11 @@ double square(double x) { return x * x; }
 
 }  // namespace
 
-QuadraticGrip::QuadraticGrip(const ScaledGrasp& grasp)
-    : grasp_(&grasp),
-      slips_(grasp.parts().size(), Vector3::Zero()),
-      hessians_(grasp.parts().size(), Matrix4::Zero()),
-      forces_(grasp.parts().size()) {}
+QuadraticGrip::QuadraticGrip(const ScaledGrasp& grasp) : grasp_(&grasp), forces_(grasp.parts().size()) {
+  // Seldom written to.
+  slips_.reserve(grasp.parts().size());
+  hessians_.reserve(grasp.parts().size());
+}
 
 QuadraticGrip::Response QuadraticGrip::normal_response(double phi) const noexcept {
   Response r;
@@ -278,7 +278,8 @@ bool QuadraticGrip::solve(const Vector6& load, const Weights& weights, int max_i
                           double force_limit) noexcept {
   load_ = load;
   weights_ = weights;
-  std::ranges::fill(slips_, Vector3::Zero());
+  slips_.assign(grasp_->parts().size(), Vector3::Zero());
+  hessians_.assign(grasp_->parts().size(), Matrix4::Zero());
   const Matrix6& P = grasp_->to_range();
   W_ = P * (P.transpose() * load);
   Dual dual = evaluate(W_);
