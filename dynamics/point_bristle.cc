@@ -16,6 +16,13 @@ double load_share(const PointBristle& b, double friction, double kappa) noexcept
   return friction == 0 ? 0 : b.c0 * kappa / friction;
 }
 
+bool is_pressed(const Law& law, double normal_force) noexcept { return law.mu_static * normal_force > 0; }
+
+// dkappa/dt of a bristle that yields by `share` of v.
+double yielding_rate(const Law& law, double normal_force, double v, double share) noexcept {
+  return is_pressed(law, normal_force) ? -v * (1 - share) : 0;
+}
+
 }  // namespace
 
 void PointBristle::check() const {
@@ -35,19 +42,20 @@ double plastic_share(const PointBristle& bristle, double stribeck, double kappa,
 }
 
 double dahl_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa, double v) noexcept {
-  return -v * (1 - load_share(bristle, stribeck_force(law, normal_force, v), kappa));
+  return yielding_rate(law, normal_force, v, load_share(bristle, stribeck_force(law, normal_force, v), kappa));
 }
 
 double elastoplastic_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
                           double v) noexcept {
   const double S = stribeck_force(law, normal_force, v);
-  return -v * (1 - plastic_share(bristle, S, kappa, v) * load_share(bristle, S, kappa));
+  return yielding_rate(law, normal_force, v, plastic_share(bristle, S, kappa, v) * load_share(bristle, S, kappa));
 }
 
 double extended_rate(const PointBristle& bristle, const Law& law, double normal_force, double kappa,
                      double v) noexcept {
   const double S = stribeck_force(law, normal_force, v), beta = plastic_share(bristle, S, kappa, v);
-  return -v * (1 - beta * (1 - bristle.nu0) - beta * bristle.nu0 * load_share(bristle, S, kappa));
+  return yielding_rate(law, normal_force, v,
+                       beta * (1 - bristle.nu0) + beta * bristle.nu0 * load_share(bristle, S, kappa));
 }
 
 double half_freedom_gain(const PointBristle& bristle, const Law& law, double normal_force, double v) noexcept {
@@ -94,9 +102,14 @@ double boundary_layer_force(const BoundaryLayer& zone, const Law& law, double no
 
 double switch_ramp(double x) noexcept { return std::clamp((x - 1) / 0.01, 0., 1.); }
 
+double bristle_pull(const PointBristle& bristle, double kappa, double rate) noexcept {
+  return bristle.c0 * kappa + bristle.c1 * rate;
+}
+
 double bristle_force(const PointBristle& bristle, const Law& law, double normal_force, double kappa, double rate,
                      double v) noexcept {
-  return bristle.c0 * kappa + bristle.c1 * rate + bristle.viscous_share * viscous_force(law, normal_force, v);
+  if (!is_pressed(law, normal_force)) return 0;
+  return bristle_pull(bristle, kappa, rate) + bristle.viscous_share * viscous_force(law, normal_force, v);
 }
 
 }  // namespace patchgrip::dynamics

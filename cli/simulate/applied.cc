@@ -26,6 +26,16 @@ struct Value {
   }
 };
 
+struct Largest {
+  double operator()(const ConstantCourse&) const { return 1; }
+  double operator()(const DuringCourse&) const { return 1; }
+  double operator()(const RampCourse&) const { return 1; }
+  double operator()(const SineCourse& c) const { return c.mean + 1; }
+  double operator()(const PointCourse& c) const {
+    return (*std::ranges::max_element(c.points, {}, [](const auto& p) { return p[1]; }))[1];
+  }
+};
+
 struct Corners {
   std::vector<double>& all;
 
@@ -41,6 +51,8 @@ struct Corners {
 }  // namespace
 
 double value_at(const Course& course, double t) { return std::visit(Value{t}, course); }
+
+double largest_value(const Course& course) { return std::visit(Largest{}, course); }
 
 void add_corners(const Course& course, std::vector<double>& corners) { std::visit(Corners{corners}, course); }
 

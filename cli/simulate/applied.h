@@ -36,6 +36,9 @@ using Course = std::variant<ConstantCourse, DuringCourse, RampCourse, SineCourse
 
 double value_at(const Course& course, double t);
 
+// The largest that it comes to at any time.
+double largest_value(const Course& course);
+
 // Where it jumps or has a corner, in any order.
 void add_corners(const Course& course, std::vector<double>& corners);
 

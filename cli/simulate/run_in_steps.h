@@ -5,14 +5,14 @@
 
 namespace patchgrip::cli {
 
-// `note` as Trajectory::run takes it. Throws Interrupted.
+// `note` and the answer as of Trajectory::run. Throws Interrupted.
 template <class Flow, class Note>
-void run_in_steps(Flow& flow, double time, double longest_step, const Note& note) {
+bool run_in_steps(Flow& flow, double time, double longest_step, const Note& note) {
   while (time - flow.time() > longest_step) {
     InterruptGuard::check();
-    flow.run(flow.time() + longest_step, note);
+    if (flow.run(flow.time() + longest_step, note)) return true;
   }
-  flow.run(time, note);
+  return flow.run(time, note);
 }
 
 }  // namespace patchgrip::cli

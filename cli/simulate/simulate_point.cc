@@ -123,6 +123,11 @@ class PointFriction {
 
   bool has_bristle() const { return method_ != FrictionMethod::tanh && method_ != FrictionMethod::karnopp; }
   double stiffness() const { return has_bristle() ? bristle_.c0 : 0; }
+  // Of those whose bristle yields up to what F_N admits, and straightens at once where that comes to nothing.
+  bool yields() const {
+    return method_ == FrictionMethod::elastoplastic || method_ == FrictionMethod::lugre ||
+           method_ == FrictionMethod::dahl;
+  }
   double zone_mass() const { return following_.zone_mass; }
   // From which share of the present limit on it slips.
   double yielding() const {
@@ -140,13 +145,14 @@ class PointFriction {
     }
     if (method_ == FrictionMethod::karnopp) {
       const double R = karnopp_force(law_, F, following_.dead_band, held, u);
-      return {R, 0, std::fabs(u) > following_.dead_band ? 1 : std::fabs(R) / S * nearly};
+      const bool holds = std::fabs(u) <= following_.dead_band && S > 0;
+      return {R, 0, holds ? std::fabs(R) / S * nearly : 2};
     }
     if (method_ == FrictionMethod::boundary_layer) {
       const BoundaryLayer zone{following_.zone_mass, following_.steepness};
       const double own = u + kappa_rate;
-      return {bristle_force(bristle_, law_, F, kappa, kappa_rate, u), kappa_rate,
-              std::tanh(zone.steepness * std::fabs(own)), boundary_layer_force(zone, law_, F, own)};
+      return {bristle_pull(bristle_, kappa, kappa_rate), kappa_rate, std::tanh(zone.steepness * std::fabs(own)),
+              boundary_layer_force(zone, law_, F, own)};
     }
     if (is_half_freedom()) {
       const double rate = method_ == FrictionMethod::half_freedom
@@ -158,8 +164,8 @@ class PointFriction {
     const double rate = method_ == FrictionMethod::elastoplastic ? extended_rate(bristle_, law_, F, kappa, u)
                                                                  : dahl_rate(bristle_, law_, F, kappa, u);
     const double limit = u == 0 ? S : std::fabs(stribeck_force(law_, F, u));
-    return {bristle_force(bristle_, law_, F, kappa, rate, u), rate,
-            limit > 0 && kappa * u < 0 ? bristle_.c0 * std::fabs(kappa) / limit : 0};
+    const double stretch = kappa * u < 0 ? bristle_.c0 * std::fabs(kappa) : 0;
+    return {bristle_force(bristle_, law_, F, kappa, rate, u), rate, limit > 0 ? stretch / limit : 2};
   }
 
  private:
@@ -178,8 +184,13 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
   const SimulateScene& scene = s.scene;
   const MovingBody& b = scene.body;
   const PointFriction law(scene);
+  // No step is short enough for a bristle that yields to nothing. Below this force it is let go: a force that passes 0
+  // in proportion to time has no more than `tolerance` of its momentum left.
+  const double least = std::sqrt(s.tolerance) * scene.contact.normal_force * largest_value(scene.pressing);
+  const auto pressing = [&](double t) { return scene.normal_force(t) - least; };
+  bool let_go = false;
   const auto friction = [&](double t, const Flow::State& y) {
-    return law(scene.normal_force(t), y[2], y[3], y[1] - b.support_speed, s.held(t, y[0]));
+    return law(let_go ? 0 : scene.normal_force(t), y[2], y[3], y[1] - b.support_speed, s.held(t, y[0]));
   };
   Flow::State y{b.place[0], b.twist[0], 0, 0, 0, 0};
   const double zone_mass = law.zone_mass();
@@ -188,10 +199,16 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
   const auto& corners = scene.loads.corners();
   std::size_t next = 0;
   double t = 0;
+  bool slips = false;
   while (next < s.times.size()) {
     const auto corner = std::ranges::upper_bound(corners, t);
     const double end = corner == corners.end() ? s.times.back() : std::min(s.times.back(), *corner);
     const double last = std::nextafter(end, t);
+    let_go = law.yields() && pressing(t) < 0;
+    if (let_go) {
+      y[5] += law.stiffness() * y[2] * y[2] / 2;
+      y[2] = 0;
+    }
     Flow flow(
         [&](double at, const Flow::State& x, Flow::State& dx) {
           at = std::min(at, last);
@@ -211,7 +228,9 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
     flow.watch(
         [&](double at, const Flow::State& x) { return friction(std::min(at, last), x).present - law.yielding(); });
     flow.watch([&](double, const Flow::State& x) { return x[1] - b.support_speed; });
+    if (law.yields()) flow.watch([&](double at, const Flow::State&) { return pressing(std::min(at, last)); });
     const auto note = [&](double at, const Flow::State& x, std::size_t which) {
+      if (which == 2) return true;
       MotionEvent e{"turn", at, 0, along_x(x[0])};
       if (which == 0) {
         e.kind = friction(std::min(at, last), x).present >= law.yielding() ? "break_away" : "sticks";
@@ -221,8 +240,11 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
       if (which == 1 && starts_moving && !record.rest) record.rest = e;
       return false;
     };
+    if (t > 0 && slips != (friction(t, y).present >= law.yielding())) note(t, y, 0);
+    bool ended = false;
     while (next < s.times.size() && s.times[next] <= end) {
-      run_in_steps(flow, s.times[next], s.longest_step, note);
+      ended = run_in_steps(flow, s.times[next], s.longest_step, note);
+      if (ended) break;
       const Flow::State& x = flow.state();
       const Friction R = friction(std::min(flow.time(), last), x);
       MotionRow row{flow.time(), along_x(x[0]), along_x(x[1])};
@@ -236,9 +258,10 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
       s.add(record, row);
       ++next;
     }
-    if (next < s.times.size()) run_in_steps(flow, end, s.longest_step, note);
+    if (next < s.times.size() && !ended) ended = run_in_steps(flow, end, s.longest_step, note);
     y = flow.state();
-    t = end;
+    t = ended ? flow.time() : end;
+    slips = friction(std::min(t, last), y).present >= law.yielding();
   }
 }
 

@@ -178,6 +178,55 @@ TEST_F(Simulate, ANormalForceThatFallsLetsGo) {
   EXPECT_NEAR(mapped.table["vx_m_per_s"].back(), 0.4, 1e-4);
 }
 
+// By every law of a point: nothing rubs while nothing presses, what the bristles held is lost, and then it rubs again.
+TEST_F(Simulate, APointThatNothingPressesCoasts) {
+  const std::string block =
+      "[contact]\npatch = \"point\"\nnormal_force = 10\n[friction]\nmu_static = 1\nmu_kinetic = 0.4\n"
+      "stribeck_velocity = 0.1\n[body]\nmass = 1\nvelocity = [4, 0]\n[motion]\ntimes = { from = 0, to = 3, count = 61 "
+      "}\n"
+      "stiffness = 5000\ndamping = 10\nmethod = ";
+  const auto without_bristles = [&](const std::string& method) {
+    return with(block, "stiffness = 5000\ndamping = 10\nmethod = ", method);
+  };
+  for (const std::string& scene :
+       {block + "\"elastoplastic\"\n", block + "\"elastoplastic\"\nnu0 = 1.5\n", block + "\"lugre\"\n",
+        block + "\"dahl\"\n", block + "\"boundary_layer\"\nzone_mass = 1e-3\nsteepness = 100\n",
+        without_bristles("method = \"rigid\"\n"), without_bristles("method = \"tanh\"\nsteepness = 100\n"),
+        without_bristles("method = \"karnopp\"\ndead_band = 1e-3\n")}) {
+    for (const char* course : {"during = [0, 0.5]", "course = [[0, 1], [0.5, 0], [2, 0], [2.5, 1]]",
+                               "course = [[0, 1], [0.5, 1], [0.5, 0], [2, 0], [2, 0.3]]"}) {
+      const std::string what = scene.substr(scene.rfind("method")) + course;
+      const Answer a = answer_to(scene + "[normal_force]\n" + course + "\n");
+      EXPECT_TRUE(a.json["warnings"].empty()) << what;
+      EXPECT_LE(a.json["summary"]["energy_balance_error"]["value"].get<double>(), 1e-9) << what;
+      const auto t = a.table["t_s"], v = a.table["v_m_per_s"], R = a.table["friction_N"];
+      const bool layer = what.find("boundary") != std::string::npos;  // its zone rings until its damper rests
+      for (std::size_t i = 0; i < t.size(); ++i) {
+        if (t[i] <= (layer ? 0.7 : 0.5) || t[i] >= 2) continue;
+        EXPECT_NEAR(R[i], 0, layer ? 1e-9 : 0) << what << t[i];
+        EXPECT_NEAR(v[i], v[20], 1e-10) << what << t[i];
+      }
+      EXPECT_GT(v[20], 0.1) << what;
+      EXPECT_EQ(v.back() < v[20] - 0.1, what.ends_with("]]")) << what;  // pressed again
+    }
+  }
+}
+
+// Held by 1 N, let go at 0.5 s. In a dead band it does not hold either.
+TEST_F(Simulate, APointIsLetGoWhenNothingPressesAnyMore) {
+  for (const char* method :
+       {"\"rigid\"", "\"karnopp\"\ndead_band = 1e-3", "\"dahl\"\nstiffness = 1e4",
+        "\"lugre\"\nstiffness = 1e4\ndamping = 10", "\"elastoplastic\"\nstiffness = 1e4\ndamping = 10"}) {
+    const std::string rest = with(with(good_point, "velocity = [3, 0]", "settled = true"), "ramp = [0, 1]", "");
+    const bool bristles = std::string(method).find("stiffness") != std::string::npos;
+    const Answer a = answer_to(with(bristles ? rest : with(rest, "settled = true", ""), "[motion]",
+                                    "[motion]\nmethod = " + std::string(method)) +
+                               "[normal_force]\nduring = [0, 0.5]\n");
+    EXPECT_EQ(a.value("break_away"), 0.5) << method;
+    EXPECT_NEAR(a.table["v_m_per_s"].back(), 1.5 / 2, 1e-11) << method;
+  }
+}
+
 // The same scene by another method, without bristles.
 std::string rigid(std::string text) {
   text = with(text, "method = \"return_mapping\"", "method = \"rigid\"");

@@ -94,6 +94,22 @@ TEST(PointBristle, SticksElasticallyBelowItsElasticShare) {
   EXPECT_NEAR(plastic_share(bristle, -5, -0.95 * end, 0.3), 0.5, 1e-14);
 }
 
+// Whatever it was bent to: the limit of a bristle that yields as nothing presses any more, not an ideal spring.
+TEST(PointBristle, CarriesNothingWhereNothingPresses) {
+  const PointBristle bristle{1e4, 10, 1, 0.9, 1.5};
+  for (const auto& [law, force] :
+       {std::pair{Law::stribeck(0.9, 0.4, 0.02).with_viscous(0.1), 0.}, {Law::coulomb(0), 20.}}) {
+    for (const auto rate : {dahl_rate, elastoplastic_rate, extended_rate}) {
+      for (const double kappa : {-1e-3, 0., 1e-3}) {
+        for (const double v : {-0.3, 0., 2.}) {
+          EXPECT_EQ(rate(bristle, law, force, kappa, v), 0) << kappa << v;
+          EXPECT_EQ(bristle_force(bristle, law, force, kappa, rate(bristle, law, force, kappa, v), v), 0);
+        }
+      }
+    }
+  }
+}
+
 // Half a degree of freedom: the root solves the balance of the zone, and the zone sticks exactly below mu_s F_N.
 TEST(PointBristle, TheZoneOfHalfADegreeOfFreedomIsInBalance) {
   const Law law = Law::stribeck(0.9, 0.4, 0.02).with_viscous(0.05);
