@@ -95,6 +95,11 @@ class Motion {
     return next == load_.jumps.end() ? end_ : std::min(*next, end_);
   }
 
+  double piece_start(double t) const {
+    const auto next = std::ranges::upper_bound(load_.jumps, t);
+    return next == load_.jumps.begin() ? std::numeric_limits<double>::lowest() : *(next - 1);
+  }
+
   // A little inside of a piece: at the jump itself the load is that after it.
   static double before(double t) { return std::nextafter(t, -std::numeric_limits<double>::infinity()); }
 
@@ -144,14 +149,26 @@ class Motion {
     state_.twist = turned(first_motion * a, state_.place[2]);
   }
 
-  // The load passes the limit: the body leaves like tau^2.
+  // How fast the load passes the limit, as a share of it [1/s]; of the piece that t lies in. Infinite at its very end.
+  double passing_rate(double t) const {
+    const double h = t + std::min(1e-6 * settings_.longest_step, 1e-2 * (piece_end(t) - t)) - t;
+    if (h == 0 || limit(t) == 0) return std::numeric_limits<double>::infinity();
+    const double slope = t - h >= piece_start(t) ? (excess(t + h) - excess(t - h)) / (2 * h)
+                                                 : (4 * excess(t + h) - 3 * excess(t) - excess(t + 2 * h)) / (2 * h);
+    return slope / limit(t);
+  }
+
+  // The load passes the limit: the body leaves like tau^2. Where the limit comes to nothing before a time that could be
+  // told from now, it leaves at that corner.
   void start_steadily() {
-    const Gauge g = gauge(t_);
-    const Vector3 n = vector(g.twist);
-    note(SlipEvent::Kind::break_away, n);
-    const double h = 1e-6 * settings_.longest_step, L = limit(t_);
-    const double rate = (gauge(t_ + h).value / limit(t_ + h) - gauge(t_ - h).value / limit(t_ - h)) / (2 * h);
+    const double L = limit(t_), rate = passing_rate(t_);
     const double tau = std::min(settings_.start / rate, piece_end(t_) - t_);
+    if (!(t_ + tau > t_)) {
+      t_ = piece_end(t_);
+      return;
+    }
+    const Vector3 n = vector(gauge(t_).twist);
+    note(SlipEvent::Kind::break_away, n);
     const double alpha = rate * L / n.dot(mass_.cwiseProduct(n));
     const double angle = state_.place[2];
     const Vector3 way = turned(alpha * tau * tau * tau / 6 * n, angle);
@@ -200,6 +217,7 @@ class Motion {
         },
         {n[0], n[1], n[2], 0, 0, state_.place[0], state_.place[1], state_.place[2], state_.work, state_.dissipated}, 0,
         {.tolerance = settings_.tolerance, .first_step = 1e-3});
+    motion.tell([&](double, const Stretched::State& y) { return origin + y[4]; });
     double largest = 0;
     enum : std::size_t { rest, over, due };
     motion.watch([&](double, const Stretched::State& y) {

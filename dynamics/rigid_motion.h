@@ -17,7 +17,8 @@
 //              body leaves with the acceleration a = argmin a . M a / 2 + D(a) mu_s F_N - f . a, the return mapping in
 //              the metric M. Where the load passes the limit steadily it leaves along the gauge's slip n, with
 //              v = alpha tau^2 n / 2, alpha = n . d(f / mu_s F_N)/dt mu_s F_N / n . M n, up to tau = `start` times the
-//              time in which the load changes by the limit.
+//              time in which the load changes by the limit; a limit that comes to nothing sooner than such a tau can be
+//              told from nothing lets it go at that corner.
 // Stop         rho down to 1e-17 of its largest since break-away; then again stick, or at once another start.
 // Load         f(t) [N], [N], [N m] in axes of space about the centre of mass, continuous but for `jumps`, which are
 //              increasing. F_N(t) >= 0 and the size likewise.

@@ -6,14 +6,17 @@
 //
 // Steps of Dormand and Prince by their error estimate (Boost.Odeint); within a step the solution is their continuous
 // extension of order 4, which is what events are found on, by bracketing (Boost.Math, TOMS 748). A watched function
-// that changes sign twice within a step is not seen.
+// that changes sign twice within a step is not seen. A step that overflows is taken again, shorter: an error that is not
+// a number tells nothing.
 //
 // Domain   f piecewise smooth: at kinks steps get short. Stiff laws take steps of some 3 / |largest eigenvalue|.
 // Error    of a step: tolerance (1 + |y_i|) in each component. What it sums up to is told by two tolerances.
 // Throws   std::invalid_argument unless the tolerance is in [1e-15, 1e-2] and the end is not before the start;
-//          std::runtime_error, naming the time, where steps come to nothing or the state is not finite.
+//          std::runtime_error, naming the time (that of tell(), where t is not one), where steps come to nothing or the
+//          state is not finite.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -58,6 +61,9 @@ class Trajectory {
 
   void watch(Watched function) { watched_.push_back(std::move(function)); }
 
+  // What to call the time in errors.
+  void tell(Watched time) { told_ = std::move(time); }
+
   double time() const noexcept { return t_; }
   const State& state() const noexcept { return y_; }
   long evaluations() const noexcept { return evaluations_; }
@@ -84,15 +90,21 @@ class Trajectory {
 
  private:
   void step() {
-    stepper_.do_step([this](const State& y, State& dy, double t) {
+    const auto rates = [this](const State& y, State& dy, double t) {
       ++evaluations_;
       rates_(t, y, dy);
-    });
-    for (const double x : stepper_.current_state()) {
-      if (!std::isfinite(x)) refuse_step(t_);
+    };
+    const State start = stepper_.current_state();
+    const double from = stepper_.current_time();
+    stepper_.do_step(rates);
+    while (stepper_.current_time() > from && !std::ranges::all_of(stepper_.current_state(), is_finite)) {
+      stepper_.initialize(start, from, (stepper_.current_time() - from) / 10);
+      stepper_.do_step(rates);
     }
-    if (!(stepper_.current_time() > t_)) refuse_step(t_);
+    if (!(stepper_.current_time() > t_)) refuse_step(told_ ? told_(t_, y_) : t_);
   }
+
+  static bool is_finite(double x) { return std::isfinite(x); }
 
   State at(double t) {
     State y;
@@ -126,6 +138,7 @@ class Trajectory {
   State y_;
   double t_;
   std::vector<Watched> watched_;
+  Watched told_;
   long evaluations_ = 0;
   using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
   typename boost::numeric::odeint::result_of::make_dense_output<Stepper>::type stepper_;

@@ -195,6 +195,59 @@ TEST(RigidMotion, ABodyThatNothingPressesMovesOn) {
   EXPECT_NEAR(r.state.place[0], 3 + 1.5, 1e-10);
 }
 
+// m v' = f - mu F_N from 1 s on, however little that is, pressed or not: the start is stretched over 28 powers of e.
+TEST(RigidMotion, AJumpStartsTheLeastAcceleration) {
+  for (const double held : {0., 4.}) {
+    for (double a = 1e-9; a < 2; a *= 10) {
+      for (const double end : {1.5, 2., 3., 30.}) {
+        const RigidMotion motion(friction::UniformDisc::of_radius(0.01), 2, 4e-4, Law::coulomb(0.4));
+        const auto force = [=](double t) { return Vector3(0, t < 1 ? 0 : held + 2 * a, 0); };
+        const RigidMotionResult r = motion(pushed(force, held / 0.4, {1}), {}, 0, end);
+        ASSERT_EQ(r.events.size(), 1u) << a;
+        EXPECT_EQ(r.events[0].time, 1);
+        const double t = end - 1, off = 1e-9 * a + 0x1p-50 * held;  // what is left of the force has its rounding
+        EXPECT_NEAR(r.state.twist[1], a * t, off * t) << held << ", " << a << " to " << end;
+        EXPECT_NEAR(r.state.place[1], a * t * t / 2, off * t * t / 2 + 1e-12);
+      }
+    }
+  }
+}
+
+// m v' = f - mu F_N (1 - t / 2) from t* = 2 (1 - f / mu F_N) on: a start
+// in what is left of the force, from all of it down to what no time can tell from nothing.
+TEST(RigidMotion, AForceThatComesToNothingLetsTheLeastLoadGo) {
+  const friction::UniformDisc disc = friction::UniformDisc::of_radius(0.01);
+  const RigidMotion motion(disc, 1, 4e-4, Law::coulomb(0.4));
+  for (const double sign : {1., -1.}) {
+    for (double f = 3; f > 1e-18; f /= 3) {
+      PlanarLoad load = pushed([=](double) { return Vector3(sign * f, 0, 0); }, 0, {0, 2});
+      load.normal_force = [](double t) { return 10 * std::max(0., 1 - t / 2); };
+      load.size = [](double t) { return std::cbrt(1 - t / 2); };
+      const RigidMotionResult r = motion(load, {}, 0, 3);
+      ASSERT_EQ(r.events.size(), 1u) << f;
+      const double leaves = 2 * (1 - f / 4), left = 2 - leaves;
+      // Later by what is left if a start of 0.5 % of it is no time at all beside 2 s.
+      EXPECT_NEAR(r.events[0].time, leaves, left < 200 * 0x1p-52 ? 200 * 0x1p-52 : 1e-14) << f;
+      EXPECT_NEAR(r.events[0].slip.vx, sign, 1e-9) << f;
+      // v' = f (t - t*) / left up to 2 s, f from there on
+      EXPECT_NEAR(sign * r.state.twist[0], f * (left / 2 + 1), 1e-7 * f) << f;
+    }
+  }
+}
+
+// Just after a jump, where a look back would see another load.
+TEST(RigidMotion, LeavesJustAfterACorner) {
+  const RigidMotion motion(friction::UniformDisc::of_radius(0.01), 1, 4e-4, Law::coulomb(0.4));
+  for (double after = 1e-12; after < 1; after *= 10) {
+    const auto force = [=](double t) { return Vector3(t < 1 ? -3 : 4 - after + (t - 1), 0, 0); };
+    const RigidMotionResult r = motion(pushed(force, 10, {1}), {}, 0, 2.5);
+    ASSERT_EQ(r.events.size(), 1u) << after;
+    EXPECT_NEAR(r.events[0].time, 1 + after, 1e-14);
+    const double t = 1.5 - after;
+    EXPECT_NEAR(r.state.twist[0], t * t / 2, 1e-9) << after;
+  }
+}
+
 TEST(RigidMotion, RefusesAPatchWithoutSize) {
   const RigidMotion motion(HertzDisc::of_radius(0.1), 2, 0.01, Law::coulomb(0.3));
   PlanarLoad load = pushed([](double) { return Vector3(1, 0, 0); });

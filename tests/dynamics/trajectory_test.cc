@@ -51,6 +51,29 @@ void expect_state(const nlohmann::json& p, double t, const nlohmann::json& expec
     EXPECT_NEAR(motion.state()[i], number(expected[i]), tolerance) << i << " at " << t;
 }
 
+// x' = 1, y' = 1e-12 e^x: nothing is seen to limit the first step but that it overflows.
+TEST(Trajectory, TakesAStepThatOverflowsAgain) {
+  Trajectory<2> motion(
+      [](double, const auto& y, auto& rates) {
+        rates = {1, 1e-12 * std::exp(y[0])};
+      },
+      {0, 0}, 0, {.tolerance = 1e-12, .first_step = 1e3});
+  ASSERT_FALSE(motion.run(30));
+  EXPECT_NEAR(motion.state()[0], 30, 1e-12);
+  EXPECT_NEAR(motion.state()[1], 1e-12 * std::expm1(30), 1e-9);
+}
+
+TEST(Trajectory, TellsTheTimeThatItIsGiven) {
+  Trajectory<1> motion([](double t, const auto&, auto& rates) { rates = {t < 2 ? 1 : std::nan("")}; }, {0}, 0);
+  motion.tell([](double t, const auto&) { return 1000 + t; });
+  try {
+    motion.run(4);
+    FAIL() << "followed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("beyond t = 1002 s"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Trajectory, AnElastoplasticBlockStops) {
   const auto& entry = table()["elastoplastic_scalar"];
   expect_first_stop(entry, 1e-11);
