@@ -20,7 +20,7 @@
 // Creep        none: the anchor of an interface changes only where it slips.
 // Limit        L = mu F_N [N] of each interface at the end of a stage, `limit(which, t, twist)` of its predicted relative
 //              twist; that of A carries both weights.
-// Patches      any; B under the centre of mass of body 2, turning with it.
+// Patches      any; B under the centre of mass of body 2, turning with it. Body 1 has no edge: B rubs wherever it is.
 // Units        m [kg], J [kg m^2]; K = diag(k, k, k_r), D likewise; f in axes of space about each centre of mass.
 // Error        of order 1 and 2 in the step. Where body 1 turns, what sticks on it keeps its place to that order.
 //              tests/dynamics/stacked_bodies_test.cc.
