@@ -207,7 +207,8 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
     for (const double x : r.state.twist) {
       if (!std::isfinite(x)) dynamics::refuse_step(t);
     }
-    if (r.slips && !slips) {
+    const bool moves = r.slips && !r.slip.isZero(0);  // what nothing presses need not
+    if (moves && !slips) {
       const double D = patch.dissipation(s.felt(r.slip, std::min(t + h, last)));
       record.events.push_back({"break_away", t, longest, state.place, twist(r.slip / D), s.margin(t, state.place[2])});
     }
@@ -219,8 +220,8 @@ void follow_bristles(Setting& s, const P& patch, MotionRecord& record) {
     state = r.state;
     friction = r.wrench;
     friction_time = std::min(t + last_stage * h, last);
-    const bool ended = slips && !r.slips;
-    slips = r.slips;
+    const bool ended = slips && !moves;
+    slips = moves;
     t = end;
     if (ended) finish_slip();
     const double D = slips ? s.patch.dissipation(s.felt(state.twist, t)) : 0, T = s.kinetic(state.twist);

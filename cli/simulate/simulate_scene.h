@@ -83,8 +83,11 @@ struct SimulateScene {
     return contact::require_non_negative("normal_force", contact.normal_force * value_at(pressing, t));
   }
   double capacity(double t) const { return law.mu_static * normal_force(t); }  // mu_s F_N
-  // Of the patch, against that of the contact: it grows with its force.
-  double size(double t) const { return growth == 0 ? 1 : std::pow(value_at(pressing, t), growth); }
+  // Of the patch, against that of the contact: it grows with its force. 1 where nothing presses, and nothing rubs.
+  double size(double t) const {
+    const double factor = growth == 0 ? 1 : value_at(pressing, t);
+    return factor > 0 ? std::pow(factor, growth) : 1;
+  }
 
   std::string title;
   Contact contact;

@@ -123,20 +123,21 @@ void simulate_stack(const SimulateScene& scene, bool second, MotionRecord& recor
     last = last_of_piece;
     const auto r = stack.step(state, t, h, method, load, limit);
     if (!r.state.twist.allFinite()) dynamics::refuse_step(t);
+    const bool moved = slips[0] || slips[1];
     for (const int which : {0, 1}) {
       const std::size_t i = static_cast<std::size_t>(which);
-      if (r.slips[i] == slips[i]) continue;
-      MotionEvent event{r.slips[i] ? "break_away" : "sticks", r.slips[i] ? t : end, longest,
-                        of(r.slips[i] ? state.place : r.state.place, which)};
-      if (r.slips[i])
+      const bool moves = r.slips[i] && !of(r.slip, which).isZero(0);
+      if (moves == slips[i]) continue;
+      slips[i] = moves;
+      MotionEvent event{moves ? "break_away" : "sticks", moves ? t : end, longest,
+                        of(moves ? state.place : r.state.place, which)};
+      if (moves)
         event.slip = contacts[i].direction(of(r.slip, which), which == 0 ? 0 : state.place[2], to_patch(which));
       event.upper = which == 1;
       record.events.push_back(event);
     }
-    const bool moved = slips[0] || slips[1];
     state = r.state;
     wrench = r.wrench;
-    slips = r.slips;
     t = end;
     if (moved && !slips[0] && !slips[1]) {
       record.rest = MotionEvent{"sticks", t, longest, of(state.place, 0)};

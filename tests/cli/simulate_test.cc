@@ -178,6 +178,16 @@ TEST_F(Simulate, ANormalForceThatFallsLetsGo) {
   EXPECT_NEAR(mapped.table["vx_m_per_s"].back(), 0.4, 1e-4);
 }
 
+// The same scene by another method, without bristles.
+std::string rigid(std::string text) {
+  text = with(text, "method = \"return_mapping\"", "method = \"rigid\"");
+  for (const char* key : {"\nstep =", "\nstiffness =", "\nturn_stiffness ="}) {
+    const auto from = text.find(key);
+    if (from != std::string::npos) text.erase(from, text.find('\n', from + 1) - from);
+  }
+  return text;
+}
+
 // By every law of a point: nothing rubs while nothing presses, what the bristles held is lost, and then it rubs again.
 TEST_F(Simulate, APointThatNothingPressesCoasts) {
   const std::string block =
@@ -212,6 +222,31 @@ TEST_F(Simulate, APointThatNothingPressesCoasts) {
   }
 }
 
+// A body at rest that nothing presses any more has nothing to slip by; one that is pulled or turned then has a pole.
+TEST_F(Simulate, ABodyThatNothingPressesBreaksAwayWhereItMoves) {
+  const std::string scene =
+      with(with(good_puck, "velocity = [1, 0]\nspin = 20\n", ""),
+           "method = \"rigid\"\ntimes = { from = 0, to = 0.4, count = 41 }",
+           "method = \"return_mapping\"\nstep = 2e-3\nstiffness = 1e6\nturn_stiffness = 1e3\ntimes = [0, 0.5, 2, 3]");
+  for (const char* course : {"course = [[0, 1], [2, 0]]", "course = [[0, 1], [0.5, 1], [0.5, 0]]", "during = [0, 1]"}) {
+    const std::string pressed = scene + "[normal_force]\n" + course + "\n";
+    for (const std::string& text : {pressed, rigid(pressed)})
+      EXPECT_TRUE(answer_to(text).json["events"].empty()) << course;
+    const std::string settled = with(pressed, "inertia = 0.00125", "inertia = 0.00125\nsettled = true");
+    for (const char* load : {"force = [1e-9, 0]", "force = [0, 0.1]", "moment = 1e-12"}) {
+      const auto events = answer_to(settled + "[[applied]]\n" + load + "\n").json["events"];
+      ASSERT_EQ(events.size(), 1u) << course << load;
+      EXPECT_EQ(events[0]["event"], "break_away");
+      if (std::string(load).starts_with("force")) {
+        const double x = events[0]["slip_direction"][0], y = events[0]["slip_direction"][1];
+        EXPECT_GT(x * x + y * y, 0) << course << load;
+      } else {
+        EXPECT_NEAR(events[0]["pole_from_centre_m"][0].get<double>(), 0, 1e-12) << course;
+      }
+    }
+  }
+}
+
 // Held by 1 N, let go at 0.5 s. In a dead band it does not hold either.
 TEST_F(Simulate, APointIsLetGoWhenNothingPressesAnyMore) {
   for (const char* method :
@@ -225,16 +260,6 @@ TEST_F(Simulate, APointIsLetGoWhenNothingPressesAnyMore) {
     EXPECT_EQ(a.value("break_away"), 0.5) << method;
     EXPECT_NEAR(a.table["v_m_per_s"].back(), 1.5 / 2, 1e-11) << method;
   }
-}
-
-// The same scene by another method, without bristles.
-std::string rigid(std::string text) {
-  text = with(text, "method = \"return_mapping\"", "method = \"rigid\"");
-  for (const char* key : {"\nstep =", "\nstiffness =", "\nturn_stiffness ="}) {
-    const auto from = text.find(key);
-    if (from != std::string::npos) text.erase(from, text.find('\n', from + 1) - from);
-  }
-  return text;
 }
 
 // Spin alone: J w' = -mu F_N m_0 a with m_0 = 3 pi / 16 and a as Hertz gives it under F_N (1 - t / T), that is
