@@ -9,6 +9,7 @@ GripSolver::GripSolver(const ScaledGrasp& grasp, const GripSettings& settings)
       settings_(settings),
       interior_(grasp),
       polish_(grasp),
+      path_(polish_.solution_size()),
       extended_(grasp),
       quadratic_(grasp),
       bracket_(grasp),
@@ -24,17 +25,22 @@ bool GripSolver::decided() const noexcept {
 }
 
 void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
+  const bool follows = warm && polished_;
+  if (!follows || effort_.repairs > 0) path_.forget();  // other states
+  if (follows) polish_.solution(path_.add(problem_.load));
   problem_ = problem;
   bracket_.reset(problem);
   effort_ = {};
   if (problem.objective != Objective::load_factor && problem.load.isZero(0)) {
     std::ranges::fill(forces_, PartForce{});
     bracket_.add_forces(forces_, 0);
+    polished_ = false;
     effort_.route = Route::no_load;
     return;
   }
-  if (warm && polished_ && try_warm()) return;
+  if (follows && try_warm()) return;
   polished_ = false;
+  path_.forget();
   if (grasp_->rank() < 6 && problem.objective != Objective::distance) {
     const Vector6 off =
         grasp_->unresisted() * (problem.objective == Objective::load_factor ? problem.step : problem.load);
@@ -102,7 +108,7 @@ void GripSolver::polish(int max_repairs) noexcept {
 }
 
 bool GripSolver::try_warm() noexcept {
-  polish_.restart(polish_.twist(), polish_.value());
+  polish_.restart(path_.lead(problem_.load));
   effort_.route = Route::warm;
   polish(4);
   if (closed()) return true;

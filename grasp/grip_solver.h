@@ -18,6 +18,7 @@
 #include <patchgrip/grasp/extended_polish.h>
 #include <patchgrip/grasp/grip_settings.h>
 #include <patchgrip/grasp/interior_point.h>
+#include <patchgrip/grasp/load_path.h>
 #include <patchgrip/grasp/polish.h>
 #include <patchgrip/grasp/quadratic_grip.h>
 
@@ -37,7 +38,8 @@ class GripSolver {
  public:
   GripSolver(const ScaledGrasp& grasp, const GripSettings& settings);
 
-  // From nothing, or from the states of the last problem that it polished.
+  // From nothing; or from the states of the last problem that it polished, if that differs in its load alone, and where
+  // those of the problems that were solved so before lead to.
   void solve(const GripProblem& problem, bool warm) noexcept;
 
   // The largest share of the upper bound that a charge of first order may be for it to count.
@@ -65,6 +67,7 @@ class GripSolver {
   GripProblem problem_{};
   InteriorPoint interior_;
   Polish polish_;
+  LoadPath path_;
   ExtendedPolish extended_;
   QuadraticGrip quadratic_;
   Bracket bracket_;

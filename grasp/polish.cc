@@ -56,13 +56,26 @@ void Polish::identify(const GripProblem& problem, const InteriorPoint& point) no
   }
 }
 
-void Polish::restart(const Vector6& twist, double value) noexcept {
+void Polish::solution(Eigen::Ref<Eigen::VectorXd> x) const noexcept {
+  x.head<7>() << W_, s_;
+  Eigen::Index at = 7;
+  for (const PartState& state : parts_) {
+    x.segment<4>(at) << state.force, state.friction;
+    at += 4;
+  }
+}
+
+void Polish::restart(const Eigen::VectorXd& x) noexcept {
   steps_ = repairs_ = 0;
-  reusable_ = true;
-  displaced_ = false;
-  W_ = twist;
-  s_ = value;
-  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].v = grasp_->parts()[i].element.sliding(W_);
+  reusable_ = false;
+  W_ = x.head<6>();
+  s_ = x[6];
+  Eigen::Index at = 7;
+  for (std::size_t i = 0; i < parts_.size(); ++i, at += 4) {
+    parts_[i].force = x[at];
+    parts_[i].friction = x.segment<3>(at + 1);
+    parts_[i].v = grasp_->parts()[i].element.sliding(W_);
+  }
 }
 
 double Polish::cap(const GripProblem& problem, std::size_t contact) const noexcept {
@@ -270,8 +283,7 @@ double Polish::newton(const GripProblem& problem, int max_steps) noexcept {
   for (int k = 0; k < max_steps; ++k) {
     change_ = std::numeric_limits<double>::infinity();
     if (!arrange(problem)) return change_;
-    // The last problem may have been one of other unknowns.
-    const bool again = reusable_ && !displaced_ && scale_.size() == count_;
+    const bool again = reusable_ && !displaced_;
     if (!assemble(problem, !again)) return change_;
     if (!again) factor();
     if (!solve()) return change_;

@@ -8,7 +8,7 @@
 //
 // The matrix is symmetric, of size 6 (7) + one for each free force + the friction components that stick. Where forces
 // or twist are not unique it is singular but solvable: complete pivoting leaves what it does not determine as it was.
-// It is used again while it gains four digits a step; from the last problem's solution it takes the first step, too.
+// It is used again while it gains four digits a step.
 // After convergence wrong signs change the guess, and it starts again.
 //
 // Nothing here is believed: bracket.h evaluates what comes out afresh.
@@ -68,8 +68,11 @@ class Polish {
   int steps() const noexcept { return steps_; }
   int repairs() const noexcept { return repairs_; }
 
-  // The solution of a neighbouring problem as the guess.
-  void restart(const Vector6& twist, double value) noexcept;
+  // What it came to: W, s, then F and t of each part; and such a solution of a neighbouring problem, with the states of
+  // the last one, as the guess.
+  Eigen::Index solution_size() const noexcept { return 7 + 4 * static_cast<Eigen::Index>(parts_.size()); }
+  void solution(Eigen::Ref<Eigen::VectorXd> x) const noexcept;
+  void restart(const Eigen::VectorXd& x) noexcept;
 
  private:
   using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, capacity, capacity>;
