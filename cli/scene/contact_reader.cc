@@ -33,14 +33,14 @@ constexpr double error_of_sum(std::size_t n) {
   return 0x1p-53 + static_cast<double>(n) * static_cast<double>(std::numeric_limits<long double>::epsilon() / 2);
 }
 
-Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials) {
+Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials, double factor) {
   contact.refuse_others({"bodies", "normal_force", "centre", "angle", "model"},
                         "not used beside 'bodies', from which the contact follows; give either bodies or a patch");
   const BodyPair pair = read_two_bodies(contact, "bodies", materials);
   if (pair.first.relaxing || pair.second.relaxing) {
     contact.refuse("bodies", "friction acts between elastic bodies");
   }
-  const double force = contact.number("normal_force", force_range);
+  const double force = factor * contact.number("normal_force", force_range);
   return made(contact, "bodies", [&]() -> Contact {
     RubbedBodies rubbed = rub(pair, force, contact);
     Contact result{std::move(rubbed.patch), read_frame(contact), force};
@@ -59,11 +59,11 @@ Contact read_bodies(const TomlReader& contact, const MaterialLibrary& materials)
 }
 
 // A power law says the radius, Xydas and Kao the pressure.
-Contact read_rubbed_fingertip(const TomlReader& contact) {
+Contact read_rubbed_fingertip(const TomlReader& contact, double factor) {
   contact.refuse_others({"fingertip", "normal_force", "centre", "angle"},
                         "not used beside 'fingertip'; give bodies, a patch, parts or a fingertip");
   DescribedFingertip tip = read_fingertip(contact);
-  const double force = contact.number("normal_force", force_range);
+  const double force = factor * contact.number("normal_force", force_range);
   if (std::holds_alternative<WinklerFingertip>(tip.tip)) {
     tip.place.refuse("a Winkler bed is pressed, but not rubbed: give 'coefficient' and 'exponent', or 'measured'");
   }
@@ -81,11 +81,11 @@ Contact read_rubbed_fingertip(const TomlReader& contact) {
       alpha = given.alpha;
       exponent = given.exponent;
     }
-    const auto& [radius, factor, warnings] = known;
+    const auto& [radius, scatter, warnings] = known;
     const auto disc = [&](double a) { return friction::XydasKaoDisc::of_radius(a, alpha); };
     Contact rubbed{disc(radius.value), read_frame(contact), force};
-    if (factor > 1) {
-      rubbed.scatter = RadiusScatter{disc(radius.value), disc(radius.value / factor), disc(radius.value * factor)};
+    if (scatter > 1) {
+      rubbed.scatter = RadiusScatter{disc(radius.value), disc(radius.value / scatter), disc(radius.value * scatter)};
     } else {
       rubbed.radius_error = rubbed.shape_error = radius.error / radius.value;
     }
@@ -93,7 +93,7 @@ Contact read_rubbed_fingertip(const TomlReader& contact) {
     rubbed.warnings = warnings;
     rubbed.notes = {std::move(tip.words),
                     fmt::format("disc with the pressure of Xydas and Kao, alpha = {}, radius {} m{}", alpha,
-                                radius.value, factor > 1 ? fmt::format(" within a factor of {:.4g}", factor) : "")};
+                                radius.value, scatter > 1 ? fmt::format(" within a factor of {:.4g}", scatter) : "")};
     return rubbed;
   });
 }
@@ -108,7 +108,10 @@ Contact read_given_patch(const TomlReader& contact) {
 
 // The coefficient of parts that have none of their own.
 double common_mu(const TomlReader& scene, const TomlReader& part) {
-  if (!scene.has("friction")) part.refuse("mu", "needed here, or in a table [friction], as other parts have their own");
+  if (!scene.has("friction")) {
+    part.refuse("mu", fmt::format("needed here, or in a table [{}], as other parts have their own",
+                                  scene.full_name("friction")));
+  }
   const friction::Law law = read_friction(scene);
   if (law.mu_static != law.mu_kinetic || law.mu_viscous != 0) {
     scene.refuse("friction", "parts with their own 'mu' rub by Coulomb's law: give 'mu' alone");
@@ -122,7 +125,7 @@ Contact read_parts(const TomlReader& scene, const TomlReader& contact) {
       "parts", {"patch", "radius", "exponent", "alpha", "semi_axes", "length", "sides", "vertices", "holes",
                 "pressures", "points", "cell", "mesh", "unit", "centre", "angle", "model", "normal_force", "mu"});
   if (parts.empty() || parts.size() > most_parts) {
-    contact.refuse("parts", fmt::format("1 to {} parts, each under [[contact.parts]]", most_parts));
+    contact.refuse("parts", fmt::format("1 to {} parts, each under [[{}]]", most_parts, contact.full_name("parts")));
   }
   const bool own_mu = std::ranges::any_of(parts, [](const TomlReader& part) { return part.has("mu"); });
   std::vector<Several::Part> all;
@@ -150,7 +153,8 @@ Contact read_parts(const TomlReader& scene, const TomlReader& contact) {
   if (own_mu) together.resistance = several.resistance();
   together.notes = std::move(notes);
   if (scene.has("friction") && std::ranges::all_of(parts, [](const TomlReader& part) { return part.has("mu"); })) {
-    together.warnings.emplace_back("[friction] is not used: every part has its own 'mu'");
+    together.warnings.push_back(
+        fmt::format("[{}] is not used: every part has its own 'mu'", scene.full_name("friction")));
   }
   return together;
 }
@@ -165,14 +169,15 @@ TomlReader contact_table(const TomlReader& scene) {
                       "normal_force", "approach", "contact_radius", "contact_modulus", "bodies",    "fingertip"});
 }
 
-Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials) {
+Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials, double factor) {
   const TomlReader table = contact_table(scene);
   if (!table.has("patch") && !table.has("bodies") && !table.has("parts") && !table.has("fingertip")) {
-    table.refuse_table("needs 'patch' (a name), two tables [[contact.bodies]], some [[contact.parts]] or 'fingertip'");
+    table.refuse_table(fmt::format("needs 'patch' (a name), two tables [[{}]], some [[{}]] or 'fingertip'",
+                                   table.full_name("bodies"), table.full_name("parts")));
   }
-  Contact contact = table.has("bodies")      ? read_bodies(table, materials)
+  Contact contact = table.has("bodies")      ? read_bodies(table, materials, factor)
                     : table.has("parts")     ? read_parts(scene, table)
-                    : table.has("fingertip") ? read_rubbed_fingertip(table)
+                    : table.has("fingertip") ? read_rubbed_fingertip(table, factor)
                                              : read_given_patch(table);
   const std::string place = in_words(contact.frame);
   if (!place.empty()) contact.notes.push_back(place);

@@ -35,7 +35,8 @@ struct Contact {
 
 // All throw SceneError.
 TomlReader contact_table(const TomlReader& scene);  // [contact], with all its keys
-Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials);
+// What follows from bodies, or of a fingertip, is pressed `factor` times as hard as the scene says.
+Contact read_contact(const TomlReader& scene, const MaterialLibrary& materials, double factor = 1);
 
 // Its patch in the contact frame.
 friction::AnyPatch any_patch(const Contact& contact);

@@ -36,7 +36,8 @@ bool read_stribeck(const TomlReader& table) {
 }  // namespace
 
 TomlReader friction_table(const TomlReader& scene) {
-  if (!scene.has("friction")) scene.refuse("friction", "a table [friction], with 'mu' say");
+  if (!scene.has("friction"))
+    scene.refuse("friction", fmt::format("a table [{}], with 'mu' say", scene.full_name("friction")));
   return scene.table("friction", {"mu", "mu_static", "mu_kinetic", "stribeck_velocity", "stribeck", "mu_viscous"});
 }
 

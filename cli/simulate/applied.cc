@@ -58,7 +58,7 @@ void add_corners(const Course& course, std::vector<double>& corners) { std::visi
 
 double longest_step(const Course& course) {
   const auto* sine = std::get_if<SineCourse>(&course);
-  return sine != nullptr ? 2 * std::numbers::pi / sine->angular_frequency / 40
+  return sine != nullptr ? 2 * std::numbers::pi / sine->angular_frequency / steps_a_period
                          : std::numeric_limits<double>::infinity();
 }
 

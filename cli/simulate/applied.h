@@ -42,7 +42,9 @@ double largest_value(const Course& course);
 // Where it jumps or has a corner, in any order.
 void add_corners(const Course& course, std::vector<double>& corners);
 
-// A step that sees it: 1/40 of the period of a sine, else infinite.
+constexpr double steps_a_period = 40;
+
+// A step that sees it: 1 / steps_a_period of the period of a sine, else infinite.
 double longest_step(const Course& course);
 
 struct Applied {

@@ -41,7 +41,7 @@ Course read_course(const TomlReader& load, const Factor& factor) {
   }
   if (has("sine")) {
     const TomlReader sine = load.table("sine", {"angular_frequency", "phase", "mean"});
-    SineCourse c{0, sine.number("angular_frequency", positive("an angular frequency in rad/s")), 0};
+    SineCourse c{0, sine.number("angular_frequency", factor.angular_frequency), 0};
     if (sine.has("mean") || !factor.mean.admits(0)) c.mean = sine.number("mean", factor.mean);
     if (sine.has("phase")) c.phase = sine.number("phase", any_angle("a phase in rad"));
     return c;
@@ -55,7 +55,7 @@ Course read_course(const TomlReader& load, const Factor& factor) {
   return ConstantCourse{};
 }
 
-std::vector<Applied> read_applied(const TomlReader& scene, bool point) {
+std::vector<Applied> read_applied(const TomlReader& scene, bool point, const Quantity& angular_frequency) {
   std::vector<Applied> loads;
   if (!scene.has("applied")) return loads;
   for (const TomlReader& load : scene.tables("applied", {"force", "moment", "during", "ramp", "sine", "course"})) {
@@ -64,7 +64,8 @@ std::vector<Applied> read_applied(const TomlReader& scene, bool point) {
     if (point && wrench[1] != 0) load.refuse("force", "a point moves along x: the second component is 0");
     if (point && load.has("moment")) load.refuse("moment", "a point does not turn");
     if (load.has("moment")) wrench[2] = load.number("moment", any_sign("a moment in N m"));
-    loads.push_back({wrench, read_course(load, {any_sign("a factor of the load"), any_sign("a mean")})});
+    loads.push_back(
+        {wrench, read_course(load, {any_sign("a factor of the load"), any_sign("a mean"), angular_frequency})});
   }
   return loads;
 }

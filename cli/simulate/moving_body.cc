@@ -5,7 +5,7 @@
 namespace patchgrip::cli {
 
 TomlReader body_table(const TomlReader& scene) {
-  if (!scene.has("body")) scene.refuse("body", "a table [body] with its 'mass'");
+  if (!scene.has("body")) scene.refuse("body", fmt::format("a table [{}] with its 'mass'", scene.full_name("body")));
   return scene.table("body", {"mass", "inertia", "place", "angle", "velocity", "spin", "settled", "spring", "damper",
                               "support_speed"});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -37,8 +38,17 @@ bool is_smooth_patch(FrictionMethod m) {
 
 // --- what presses on it
 
+// What acts may change as fast as the steps that see it can follow; return mapping has its own step.
+Quantity followed_frequency(const Following& f) {
+  if (f.method == FrictionMethod::return_mapping) return positive("an angular frequency in rad/s");
+  const double end = f.times[f.times.size() - 1];
+  return {"an angular frequency in rad/s that steps of 1/40 of a period can follow to the last of 'times'",
+          smallest_size, std::min(largest_size, 2 * std::numbers::pi / steps_a_period * most_steps / end)};
+}
+
 // The normal force over time.
-Course read_pressing(const TomlReader& scene, bool point, FrictionMethod method) {
+Course read_pressing(const TomlReader& scene, bool point, const Following& f) {
+  const FrictionMethod method = f.method;
   if (!scene.has("normal_force")) return ConstantCourse{};
   const TomlReader table = scene.table("normal_force", courses);
   if (!point && is_smooth_patch(method))
@@ -46,7 +56,8 @@ Course read_pressing(const TomlReader& scene, bool point, FrictionMethod method)
   if (is_half_freedom(method))  // its damping bounds one force
     scene.refuse("normal_force", fmt::format("not used by method = \"{}\"", name_of(method)));
   return read_course(table, {non_negative("a factor of the normal force, which only presses"),
-                             {"a mean of the factor of the normal force, which only presses", 1, largest_size}});
+                             {"a mean of the factor of the normal force, which only presses", 1, largest_size},
+                             followed_frequency(f)});
 }
 
 // How the patch grows with it.
@@ -212,11 +223,22 @@ UpperBody read_upper(const TomlReader& scene, bool point, const Following& f, co
     upper.refuse("bristles", "a table [upper.bristles] with 'stiffness' and 'turn_stiffness'");
   const TomlReader bristles = upper.table("bristles", {"stiffness", "turn_stiffness", "damping", "turn_damping"});
   const BristleSettings bristle = read_bristles(bristles, false, f.method);
-  AppliedLoads loads(read_applied(upper, false));
+  AppliedLoads loads(read_applied(upper, false, followed_frequency(f)));
   Contact contact = read_contact(upper, materials);
-  require_size(upper, contact);
+  if (!(any_patch(contact).moments().polar > 0)) {
+    const TomlReader table = contact_table(upper);
+    table.refuse(table.has("patch") ? "patch" : "parts", "a patch with a size");
+  }
   const friction::Law law = read_law(upper, contact, false, f);
   return {std::move(contact), law, body, std::move(loads), bristle};
+}
+
+void require_both_weights(const TomlReader& table, const Contact& lower, const Contact& upper) {
+  if (lower.normal_force >= upper.normal_force) return;
+  const std::string allowed =
+      fmt::format("both weights, at least the {} N of the normal force of [upper.contact]", upper.normal_force);
+  if (table.has("normal_force")) table.refuse("normal_force", allowed);
+  table.refuse_table(fmt::format("its normal force of {} N carries {}", lower.normal_force, allowed));
 }
 
 }  // namespace
@@ -237,19 +259,18 @@ SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLi
   if (body.settled && !has_bristles(following.method)) {
     body_table(scene).refuse("settled", fmt::format("not used by method = \"{}\"", name_of(following.method)));
   }
-  const Course pressing = read_pressing(scene, point, following.method);
+  const Course pressing = read_pressing(scene, point, following);
   std::optional<UpperBody> upper;
   if (scene.has("upper")) upper = read_upper(scene, point, following, materials);
   std::vector<Course> others{pressing};
   if (upper) std::ranges::copy(upper->loads.courses(), std::back_inserter(others));
-  AppliedLoads loads(read_applied(scene, point), others);
-  if (following.times[following.times.size() - 1] / loads.longest_step() > most_steps) {
-    scene.refuse("applied", fmt::format("loads that change so fast need steps of {:.3g} s, more than {:.0e} of them",
-                                        loads.longest_step(), most_steps));
-  }
+  AppliedLoads loads(read_applied(scene, point, followed_frequency(following)), others);
   Contact contact = read_contact(scene, materials);
+  const double most = largest_value(pressing);
+  if (most != 1 && most > 0) contact.warnings = read_contact(scene, materials, most).warnings;
   const double growth = read_growth(scene, contact);
   if (!point) require_size(scene, contact);
+  if (upper) require_both_weights(table, contact, upper->contact);
   const friction::Law law = read_law(scene, contact, point, following);
   if (is_half_freedom(following.method)) check_damping(scene, contact, point, law, following.bristle);
   return {std::move(title),

@@ -45,8 +45,11 @@ std::vector<BadScene> bad_scenes() {
       {"Misspelt", puck("spin", "spn"), 11, "body.spn = 20: unknown key; did you mean 'spin'?"},
       {"SettledWithoutBristles", puck("spin = 20", "spin = 20\nsettled = true"), 12,
        "body.settled = true: not used by method = \"rigid\""},
-      {"LoadThatChangesTooFast", applied("force = [1, 0]\nsine = { angular_frequency = 1e20 }"), 15,
-       "loads that change so fast need steps of"},
+      {"LoadThatChangesTooFast", applied("force = [1, 0]\nsine = { angular_frequency = 1e20 }"), 17,
+       "applied[0].sine.angular_frequency = 1e20: an angular frequency in rad/s that steps of 1/40 of a period can "
+       "follow to the last of 'times', from 1e-60 to 392699081.698"},
+      {"PressedTooFast", good_puck + "[normal_force]\nsine = { angular_frequency = 1e12, mean = 2 }\n", 16,
+       "normal_force.sine.angular_frequency = 1e12: an angular frequency in rad/s that steps of 1/40 of a period can"},
       {"SpringOfABody", puck("spin = 20", "spring = 20"), 11, "body.spring = 20: used with patch = \"point\""},
       {"UnknownMethod", method("method = \"rigd\""), 13,
        "motion.method = \"rigd\": unknown name; did you mean 'rigid'?"},
@@ -143,6 +146,10 @@ TEST(SimulateInput, GoodScenesAreAccepted) {
   EXPECT_NO_THROW(simulate_scene(good_puck));
   EXPECT_NO_THROW(simulate_scene(good_point));
   EXPECT_NO_THROW(simulate_scene(good_puck + "[normal_force]\nsine = { angular_frequency = 1, mean = 1 }\n"));
+  // Return mapping has its own step.
+  EXPECT_NO_THROW(simulate_scene(method("method = \"return_mapping\"\nstiffness = 1\nturn_stiffness = 1\nstep = 1") +
+                                 "[[applied]]\nforce = [1, 0]\nsine = { angular_frequency = 1e12 }\n"
+                                 "[normal_force]\nsine = { angular_frequency = 1e12, mean = 2 }\n"));
   EXPECT_NO_THROW(simulate_scene(applied("force = [1, 2]\ncourse = [[0, 0], [1, 1], [1, 3]]")));
 }
 

@@ -321,6 +321,23 @@ TEST_F(Simulate, AForceTwiceAsLargeIsThatOfAWiderContact) {
   }
 }
 
+// What the theory leaves out is judged where it presses most.
+TEST_F(Simulate, WarnsOfTheLargestForce) {
+  const std::string scene = with(scene_text("pressed_less"), "course = [[0, 1], [2, 0]]", "course = [[0, 1]]");
+  const auto warnings_of = [&](const std::string& force, const std::string& course) {
+    const Answer a = answer_to(
+        with(with(scene, "normal_force = 20.0 ", "normal_force = " + force + " "), "course = [[0, 1]]", course));
+    return a.json["warnings"];
+  };
+  const auto hard = warnings_of("20000.0", "course = [[0, 1]]");
+  ASSERT_EQ(hard.size(), 1u);
+  for (const char* course :
+       {"course = [[0, 1000]]", "course = [[0, 1], [1, 1000]]", "sine = { angular_frequency = 5, mean = 999 }"})
+    EXPECT_EQ(warnings_of("20.0", course), hard) << course;
+  EXPECT_TRUE(warnings_of("20.0", "course = [[0, 1], [2, 0]]").empty());
+  EXPECT_TRUE(warnings_of("20000.0", "course = [[0, 1e-3]]").empty());
+}
+
 // Whatever the force does: friction loses energy, and what it has lost balances.
 TEST_F(Simulate, AContactThatGrowsAndShrinksNeverGivesEnergy) {
   const std::string puck =
