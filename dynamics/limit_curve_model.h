@@ -5,10 +5,10 @@
 //
 //     G = y T(y^2),      T = g / y + kappa (H - h)
 //
-// solved as if T were linear in y between its values at y = 0 and on the rim, and from there by one step of Halley's
-// method.
+// solved as if T were linear in y from y = 0 to the rim, and from there by one step of Halley's method.
 //
 // Domain   any G, H and kappa; what is not a number counts as y = 0.
+// Units    none: pure numbers, per L and a, as round_return_mapping.h has them.
 // Error    none is promised. Of y on a Hertz disc: 1e-6 in the median. tests/dynamics/limit_curve_model_test.cc.
 // Throws   nothing.
 #pragma once

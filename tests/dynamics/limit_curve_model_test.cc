@@ -47,17 +47,19 @@ void expect_near(const Curve& curve, double median, double most) {
   EXPECT_LE(off.back(), most);
 }
 
+// Tolerances are what 200 000 cases leave: medians of 5e-8, 3e-7, 7e-7 and 1e-6, and 9e-4 at most. They hold the
+// model to what it is worth as a start; the root itself is found by Halley's method.
 TEST(LimitCurveModel, StartsNearTheClosestPoint) {
   const auto hertz = friction::HertzDisc::of_radius(1).kernel();
   expect_near<3>([&](double x) { return Place{hertz.inside(x).f, hertz.inside(x).m}; }, 1e-7, 1e-3);
-  expect_near<8>([&](double u) { return Place{hertz.outside(u).m, hertz.outside(u).f}; }, 1e-6, 1e-2);
+  expect_near<8>([&](double u) { return Place{hertz.outside(u).m, hertz.outside(u).f}; }, 1e-6, 1e-3);
   const auto uniform_disc = friction::UniformDisc::of_radius(1).kernel();
-  expect_near<8>([&](double x) { return Place{uniform_disc.inside(x).f, uniform_disc.inside(x).m}; }, 1e-3, 1e-1);
-  expect_near<8>([&](double u) { return Place{uniform_disc.outside(u).m, uniform_disc.outside(u).f}; }, 1e-3, 1e-1);
+  expect_near<8>([&](double x) { return Place{uniform_disc.inside(x).f, uniform_disc.inside(x).m}; }, 1e-6, 1e-3);
+  expect_near<8>([&](double u) { return Place{uniform_disc.outside(u).m, uniform_disc.outside(u).f}; }, 2e-6, 1e-3);
 }
 
 TEST(LimitCurveModel, IsExactWhereTheEquationIsLinear) {
-  // g = 3 y, h = 2: T = 3 + kappa (H - 2).
+  // g = 3 y, h = 2: T = 3 + kappa (H - 2), and a few units of rounding in y < 1.
   const LimitCurveModel<3> model([](double y) { return Place{3 * y, 2}; });
   EXPECT_NEAR(model.root(1.4, 3, 4), 0.2, 1e-15);
   EXPECT_EQ(model.root(0, 3, 4), 0);
