@@ -21,8 +21,8 @@
 // Energy       of both methods exact to rounding, with `numerical` >= 0, whatever L does from stage to stage: friction
 //              dissipates s . e = L D(e) in each.
 // Creep        none: where every stage sticks the anchor stays bit-identical.
-// Limit        L = mu(v) F_N at the end of each stage: `limit(t, v)` is called with the stage's time and a prediction of
-//              its twist (Vector3); a falling mu(v) taken implicitly could have several solutions. It answers with L
+// Limit        L = mu(v) F_N at the end of each stage: `limit(t, v)` is called with the stage's time and a prediction
+//              of its twist (Vector3); a falling mu(v) taken implicitly could have several solutions. It answers with L
 //              [N], or with L and the size of the patch against the one given, about the origin (Admissible): where a
 //              contact grows with its load, as Hertz's by F_N^(1/3) (contact/hertz_circle.h). Nothing above changes:
 //              0 is in L B whatever its size. K does not follow: bristles that stiffen under load would create energy.

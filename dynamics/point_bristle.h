@@ -17,8 +17,11 @@
 //            it hangs on the rate that it is to give, so a motion takes a_F of what the bristle would carry if its zone
 //            stood still, alpha = ramp(|c_0 kappa - c_1 v| / mu_s F_N): the zone slides where the exact one does
 //
-// Boundary layer: the zone has a mass e,  e (dv/dt + d^2kappa/dt^2) = tanh(a |u|) S(u) + V(u) - c_0 kappa - c_1 dkappa/dt
-// with u = v + dkappa/dt (4.33, its friction smoothed as the seed does); e -> 0 is half a degree of freedom.
+// Boundary layer: the zone has a mass e and the velocity u = v + dkappa/dt, its friction smoothed as the seed does,
+//
+//     e (dv/dt + d^2kappa/dt^2) = tanh(a |u|) S(u) + V(u) - c_0 kappa - c_1 dkappa/dt                     (4.33)
+//
+// and e -> 0 is half a degree of freedom.
 //
 // The seed's beta asks for sgn kappa = sgn v; with its dkappa/dt = -v (...) a bristle that is being stretched has the
 // other sign. As printed example 4.7 never slides. Its nu has the bracket of mu(v) in the wrong place.
@@ -28,8 +31,8 @@
 //          dissipates if r = c_1 |v| / |S| is at most rho^2 / (rho - 1), rho = mu_s / mu_k < 2, or 4 beyond; with nu_0
 //          if nu_0 <= 1 / (1 - kappa_1 / kappa_2); linearised if 0 <= nu (1 - c_0 kappa / S) <= 1. Dahl and LuGre creep
 //          under a load that oscillates below the limit; elastoplastic does not.
-// Unpressed    where mu_s F_N = 0 a bristle stays as it is and carries nothing: yielding to S -> 0 it is straight as soon
-//              as it slides. A motion lets it go there, kappa = 0, and loses what it had stored.
+// Unpressed    where mu_s F_N = 0 a bristle stays as it is and carries nothing: yielding to S -> 0 it is straight as
+//              soon as it slides. A motion lets it go there, kappa = 0, and loses what it had stored.
 // Units    c_0 [N/m], c_1 [N s/m]; kappa [m]; v [m/s]; R [N].
 // Error    a few units of rounding of the largest term; tests/dynamics/point_law_test.cc.
 // Throws   PointBristle::check std::invalid_argument, naming the parameter. Nothing else.

@@ -15,17 +15,17 @@
 // a convex problem in u = (u_A, u_B), solved by return mappings of one interface at a time, each exact, with what the
 // other slips held: the error falls by m_2 / (m_1 + m_2) a sweep or faster, with the masses, inertias alike.
 //
-// Methods      implicit Euler and SDIRK2, with the energy of bristle_body.h: numerical loss >= 0, friction s . e = L D(e)
-//              >= 0 in every stage, whatever L does.
+// Methods      implicit Euler and SDIRK2, with the energy of bristle_body.h: numerical loss >= 0, friction
+//              s . e = L D(e) >= 0 in every stage, whatever L does.
 // Creep        none: the anchor of an interface changes only where it slips.
-// Limit        L = mu F_N [N] of each interface at the end of a stage, `limit(which, t, twist)` of its predicted relative
-//              twist; that of A carries both weights.
+// Limit        L = mu F_N [N] of each interface at the end of a stage, `limit(which, t, twist)` of its predicted
+//              relative twist; that of A carries both weights.
 // Patches      any; B under the centre of mass of body 2, turning with it. Body 1 has no edge: B rubs wherever it is.
 // Units        m [kg], J [kg m^2]; K = diag(k, k, k_r), D likewise; f in axes of space about each centre of mass.
 // Error        of order 1 and 2 in the step. Where body 1 turns, what sticks on it keeps its place to that order.
 //              tests/dynamics/stacked_bodies_test.cc.
-// Throws       std::invalid_argument as BristleBodyParameters, with finite stiffness; std::runtime_error where sweeps do
-//              not settle: m_2 beyond some hundred times m_1.
+// Throws       std::invalid_argument as BristleBodyParameters, with finite stiffness; std::runtime_error where sweeps
+//              do not settle: m_2 beyond some hundred times m_1.
 #pragma once
 
 #include <array>

@@ -6,8 +6,8 @@
 //
 // Steps of Dormand and Prince by their error estimate (Boost.Odeint); within a step the solution is their continuous
 // extension of order 4, which is what events are found on, by bracketing (Boost.Math, TOMS 748). A watched function
-// that changes sign twice within a step is not seen. A step that overflows is taken again, shorter: an error that is not
-// a number tells nothing.
+// that changes sign twice within a step is not seen. A step that overflows is taken again, shorter: an error that is
+// not a number tells nothing.
 //
 // Domain   f piecewise smooth: at kinks steps get short. Stiff laws take steps of some 3 / |largest eigenvalue|.
 // Error    of a step: tolerance (1 + |y_i|) in each component. What it sums up to is told by two tolerances.

@@ -8,8 +8,8 @@
 
 namespace patchgrip::cli {
 
-// `row(t)` at each of `times`, `step(t, h, end, last)` from t to end = t + h between them, no longer than `longest` [s]; `last` is the last time
-// of the smooth piece that the step lies in, just before a corner.
+// `row(t)` at each of `times`, `step(t, h, end, last)` from t to end = t + h between them, no longer than `longest`
+// [s]; `last` is the last time of the smooth piece that the step lies in, just before a corner.
 template <class Row, class Step>
 void take_fixed_steps(const std::vector<double>& times, const std::vector<double>& corners, double longest,
                       const Row& row, const Step& step) {
