@@ -39,6 +39,7 @@
 #include <utility>
 
 #include <patchgrip/contact/require.h>
+#include <patchgrip/dynamics/patch_axes.h>
 #include <patchgrip/dynamics/planar_state.h>
 #include <patchgrip/dynamics/return_mapping.h>
 #include <patchgrip/dynamics/round_return_mapping.h>
@@ -48,7 +49,7 @@ namespace patchgrip::dynamics {
 
 enum class Method { implicit_euler, sdirk2 };
 
-// L B of a patch whose lengths are `size` times those given: B holds (f, m) if the given one holds (f, m / size).
+// L B of a patch whose lengths are `size` times those given (patch_axes.h).
 struct Admissible {
   Admissible(double L, double relative_size = 1) : limit(L), size(relative_size) {}
 
@@ -134,13 +135,14 @@ class BristleBody {
   // The closest wrench to `trial` that the patch admits, turned by `angle`.
   Returned closest(const Vector3& trial, const Admissible& set, const Vector3& Ke, double angle) const {
     const double size = set.limit == 0 ? 1 : contact::require_positive("size", set.size);
-    const double moment = trial[2] / size, k_r = Ke[2] / (size * size);
+    const friction::Wrench felt = shrunk(trial, size);
+    const double k_r = Ke[2] / (size * size);
     Returned r;
     if constexpr (RoundAboutOrigin<P>) {
-      r = mapping_({trial[0], trial[1], moment}, set.limit, {Ke[0], k_r});
+      r = mapping_(felt, set.limit, {Ke[0], k_r});
     } else {
       const double c = std::cos(angle), s = std::sin(angle);
-      r = mapping_({c * trial[0] + s * trial[1], c * trial[1] - s * trial[0], moment}, set.limit,
+      r = mapping_({c * felt.fx + s * felt.fy, c * felt.fy - s * felt.fx, felt.m}, set.limit,
                    BristleMetric::diagonal(Ke[0], Ke[1], k_r));
       friction::Wrench& t = r.wrench.value;
       friction::Twist& u = r.slip;

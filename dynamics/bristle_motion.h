@@ -13,10 +13,10 @@
 // Throws   std::invalid_argument unless m, J > 0. Nothing afterwards.
 #pragma once
 
-#include <cmath>
 #include <utility>
 
 #include <patchgrip/contact/require.h>
+#include <patchgrip/dynamics/patch_axes.h>
 #include <patchgrip/dynamics/patch_bristle.h>
 #include <patchgrip/dynamics/trajectory.h>
 
@@ -74,15 +74,11 @@ class BristleMotion {
   };
 
   // In axes of the zone.
-  static Vector3 twist_of(const State& y) {
-    const double c = std::cos(y[2] - y[8]), s = std::sin(y[2] - y[8]);
-    return {c * y[3] + s * y[4], c * y[4] - s * y[3], y[5]};
-  }
+  static Vector3 twist_of(const State& y) { return turned({y[3], y[4], y[5]}, y[8] - y[2]); }
 
   Now now(const State& y) const {
-    const double c = std::cos(y[2] - y[8]), s = std::sin(y[2] - y[8]);
     const BristleRates b = bristle_({y[6], y[7], y[8]}, twist_of(y));
-    return {{c * b.wrench[0] - s * b.wrench[1], s * b.wrench[0] + c * b.wrench[1], b.wrench[2]}, b.rate};
+    return {turned(b.wrench, y[2] - y[8]), b.rate};
   }
 
   Bristle bristle_;

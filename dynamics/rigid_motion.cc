@@ -7,6 +7,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <patchgrip/contact/require.h>
+#include <patchgrip/dynamics/patch_axes.h>
 #include <patchgrip/dynamics/trajectory.h>
 
 namespace patchgrip::dynamics {
@@ -22,17 +23,7 @@ using Stretched = Trajectory<10>;
 constexpr double at_rest = 1e-17;       // of rho to its largest
 constexpr double first_motion = 1e-12;  // [s] after a jump that starts the body
 
-// What the patch as given feels of a wrench and a twist of one `size` times as large.
-Wrench shrunk(const Vector3& f, double size) { return {f[0], f[1], f[2] / size}; }
-Twist grown(const Vector3& v, double size) { return {v[0], v[1], size * v[2]}; }
-
 Vector3 vector(const Twist& v) { return {v.vx, v.vy, v.w}; }
-
-// Between axes of space and those of the patch, which has turned by `angle`.
-Vector3 turned(const Vector3& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
-}
 
 void require_increasing(const char* name, const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -186,7 +177,7 @@ class Motion {
     const double ratio = size(t);
     const Twist u = grown(turned(v, -angle), ratio);
     const Wrench r = friction::friction_wrench(law_, normal_force(t), patch_.moments, patch_.gradient(u), u).value;
-    return (force(t) + turned({r.fx, r.fy, ratio * r.m}, angle)).cwiseQuotient(root_);
+    return (force(t) + turned(carried(r, ratio), angle)).cwiseQuotient(root_);
   }
 
   void slip() {

@@ -10,10 +10,10 @@
 #include <patchgrip/cli/progress.h>
 #include <patchgrip/cli/simulate/fixed_steps.h>
 #include <patchgrip/cli/simulate/run_in_steps.h>
-#include <patchgrip/cli/simulate/turned.h>
 #include <patchgrip/dynamics/bristle_body.h>
 #include <patchgrip/dynamics/bristle_motion.h>
 #include <patchgrip/dynamics/half_freedom_patch.h>
+#include <patchgrip/dynamics/patch_axes.h>
 #include <patchgrip/dynamics/rigid_motion.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
 
@@ -21,6 +21,7 @@ namespace patchgrip::cli {
 namespace {
 
 using dynamics::PlanarState;
+using dynamics::turned;
 using friction::AnyPatch;
 using friction::LimitSurface;
 using friction::Twist;
@@ -45,15 +46,14 @@ class Setting {
     return scene.loads(t);
   }
 
-  // The twist of the patch as it is at t as that of the contact's patch would feel it (dynamics/rigid_motion.h).
-  Twist felt(const Vector3& v, double t) const { return {v[0], v[1], scene.size(t) * v[2]}; }
+  // The twist of the patch as it is at t as the contact's patch would feel it.
+  Twist felt(const Vector3& v, double t) const { return dynamics::grown(v, scene.size(t)); }
 
   // g / mu_s F_N of a wrench in axes of space on the body that has turned by `angle`.
   double share(double t, const Vector3& on, double angle) const {
     const double capacity = scene.capacity(t);
     if (!(capacity > 0)) return not_known;
-    const Vector3 own = turned(on, -angle);
-    return surface.gauge({own[0], own[1], own[2] / scene.size(t)}).value / capacity;
+    return surface.gauge(dynamics::shrunk(turned(on, -angle), scene.size(t))).value / capacity;
   }
   double margin(double t, double angle) const {
     const double s = share(t, scene.loads(t), angle);
@@ -128,7 +128,7 @@ void simulate_rigid(Setting& s, MotionRecord& record) {
         if (row.slips) {
           const Twist own = s.felt(turned(at.twist, -at.place[2]), t);
           const Wrench r = friction_wrench(scene.law, scene.normal_force(t), s.patch, own).value;
-          row.friction = turned({r.fx, r.fy, scene.size(t) * r.m}, at.place[2]);
+          row.friction = turned(dynamics::carried(r, scene.size(t)), at.place[2]);
         } else {
           row.friction = -s.load(t);
         }

@@ -10,7 +10,7 @@
 #include <patchgrip/cli/progress.h>
 #include <patchgrip/cli/simulate/fixed_steps.h>
 #include <patchgrip/cli/simulate/simulate_patch.h>
-#include <patchgrip/cli/simulate/turned.h>
+#include <patchgrip/dynamics/patch_axes.h>
 #include <patchgrip/dynamics/stacked_bodies.h>
 #include <patchgrip/dynamics/trajectory.h>
 #include <patchgrip/friction/limit_surface/limit_surface.h>
@@ -20,6 +20,7 @@ namespace {
 
 using dynamics::Matrix6;
 using dynamics::StackState;
+using dynamics::turned;
 using dynamics::Vector6;
 using friction::AnyPatch;
 using friction::Twist;
