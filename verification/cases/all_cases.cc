@@ -65,6 +65,7 @@ std::span<const Case> all_cases() {
       Case{"ellipse_01", slender_quarters, finer_slender_quarter,
            [](const Setting& setting) { return solve_ellipse(pressed_ellipse(0.1), setting); }},
       Case{"rubber_hemisphere", {{5, 0}, {10, 0}, {20, 0}}, {{40, 0}}, solve_rubber_hemisphere, true},
+      Case{"fingertip", {{5, 0}, {10, 0}, {20, 0}}, {{40, 0}}, solve_fingertip},
       Case{"pad_disc_0", pads, finer_pad,
            [](const Setting& setting) { return solve_pad(pad(PadShape::disc, 0), setting); }},
       Case{"pad_disc_05", pads, finer_pad,

@@ -19,10 +19,17 @@ std::string deformation(const std::string& around) {
 }
 const std::string F = deformation("u(1)/X(1)");
 
-Model hemisphere(double n) {
-  const SizeAt coarse = graded(1 / n, 0.7, 0.2), fine = graded(1 / (4 * n), 0.1, 0.2);
-  Model model(Mesh::hemisphere_section(
-      1, [=](double x, double y, double z) { return std::min(coarse(x, y + 1, z), fine(x, y + 1, z)); }));
+// n elements per radius; of a contact up to `angle` from the pole if there is one, finer at its edge.
+Model hemisphere(double n, double angle = 0) {
+  constexpr double growth = 0.2, edge_refinement = 10;
+  const bool known = angle > 0;
+  const SizeAt coarse = graded(1 / n, 0.7, growth),
+               fine = known ? graded(angle / n, angle, growth) : graded(1 / (4 * n), 0.1, growth),
+               finest = graded(angle / (n * edge_refinement), 0, growth);
+  Model model(Mesh::hemisphere_section(1, [=](double x, double y, double z) {
+    const double size = std::min(coarse(x, y + 1, z), fine(x, y + 1, z));
+    return known ? std::min(size, finest(x - std::sin(angle), y + std::cos(angle), z)) : size;
+  }));
   constexpr double near = 1e-9;
   model.mark(region::contact, [](const Point& p) { return std::hypot(p[0], p[1]) > 1 - 1e-3 && p[0] > -near; });
   model.mark(region::held, [](const Point& p) { return std::fabs(p[1]) < near; });
@@ -62,7 +69,55 @@ double contact_radius(const Model& model) {
                          region::contact));
 }
 
+// Of the surface that touches, from the pole.
+double contact_angle(const Model& model) {
+  return model.integral("Heaviside(lam+gam*(plate-X(2)-u(2)))", region::contact);
+}
+
 double load(const Model& model) { return model.integral("2*pi*X(1)*lam", region::contact); }
+
+// Beside the pressed state small motions of the plate, which the tip sticks to: along x, and about the axis.
+//
+//     shear     v = (w_1 cos theta, v sin theta, w_2 cos theta), and q cos theta of the pressure
+//               d2 Pi = int dF : dF - p (tr(A)^2 - A^T : A) - 2 q tr(A),  A = F^-1 dF
+//     torsion   phi turns rings of radius r = R + u_1:  d2 Pi = int r^2 |grad phi|^2
+//
+// What touches is held by stiff springs: their forces are those of the plate.
+constexpr double spring = 1e7;
+const std::string touches = "Heaviside(lam0+gam*(plate-X(2)-u0(2)))";
+
+void add_motions(Model& model, double n) {
+  for (const char* name : {"u", "p", "lam"}) model.remember(std::string(name) + "0", name);
+  // In the order r, theta, z.
+  const std::string inverse =
+      "Inv([[1+Grad_u0(1,1),0,Grad_u0(1,2)],[0,1+u0(1)/X(1),0],[Grad_u0(2,1),0,1+Grad_u0(2,2)]])";
+  // Without the cosines and sines.
+  const auto of_w = [](const std::string& w) {
+    return fmt::format(
+        "[[Grad_{0}(1,1),-{0}(1)/X(1),Grad_{0}(1,2)],[0,{0}(1)/X(1),0],[Grad_{0}(2,1),-{0}(2)/X(1),Grad_{0}(2,2)]]", w);
+  };
+  const auto of_v = [](const std::string& v) {
+    return fmt::format("[[0,-{0}/X(1),0],[Grad_{0}(1),{0}/X(1),Grad_{0}(2)],[0,0,0]]", v);
+  };
+  model.field("w", 2, 2);
+  model.field("v", 1, 2);
+  model.field("q", 1, 1);
+  const std::string H = fmt::format("({}+{})", of_w("w"), of_v("v")), A = fmt::format("({}*{})", inverse, H);
+  for (const auto& dH : {of_w("Test_w"), of_v("Test_v")}) {
+    const std::string dA = fmt::format("({}*{})", inverse, dH);
+    model.linear(fmt::format("({0}:{1}-p0*(Trace({2})*Trace({3})-({2}'):{3})-q*Trace({3}))*X(1)", H, dH, A, dA));
+  }
+  model.linear(fmt::format("-Test_q*Trace({})*X(1)", A));
+  model.linear(fmt::format("{}*((w(1)+v)*(Test_w(1)+Test_v)+w(2)*Test_w(2))", 1e5 * n), region::axis);
+  model.hold("w", region::held);
+  model.hold("v", region::held);
+  model.linear(fmt::format("{}*{}*((w(1)-1)*Test_w(1)+w(2)*Test_w(2)+(v+1)*Test_v)*X(1)", spring, touches),
+               region::contact);
+  model.field("phi", 1, 2);
+  model.linear("sqr(X(1)+u0(1))*Grad_phi.Grad_Test_phi*X(1)");
+  model.hold("phi", region::held);
+  model.linear(fmt::format("{}*{}*sqr(X(1)+u0(1))*(phi-1)*Test_phi*X(1)", spring, touches), region::contact);
+}
 
 }  // namespace
 
@@ -93,6 +148,33 @@ Solved solve_rubber_hemisphere(const Setting& setting) {
   solved.vtk = [model, von_mises](const std::string& file) {
     model->write_vtk(file, {"u"}, {{"von_mises", von_mises}});
   };
+  return solved;
+}
+
+Solved solve_fingertip(const Setting& setting) {
+  constexpr double modulus = 3;  // E = 3 G
+  Solved solved;
+  std::vector<double> shear, torsion;
+  for (const double approach : fingertip().approaches) {
+    Model coarse = hemisphere(setting.elements);
+    solved.iterations += press(coarse, 0, approach);
+    Model model = hemisphere(setting.elements, contact_angle(coarse));
+    solved.iterations += press(model, 0, approach);
+    add_motions(model, setting.elements);
+    solved.iterations += model.solve(1e-8, fmt::format("hemisphere pressed by {:g} and moved", approach));
+    const double a = contact_radius(model);
+    const double force = model.integral(fmt::format("pi*{}*{}*(2-w(1)+v)*X(1)", spring, touches), region::contact);
+    const double moment =
+        model.integral(fmt::format("2*pi*{}*{}*sqr(X(1)+u0(1))*(1-phi)*X(1)", spring, touches), region::contact);
+    shear.push_back(force / (16 * modulus * a / 9));
+    torsion.push_back(moment / (16 * modulus * a * a * a / 9));
+    solved.unknowns = model.unknowns();
+  }
+  solved.values = {{torsion.front()}, torsion, shear};
+  solved.curves.push_back({"stiffness over Mindlin's",
+                           "approach / R",
+                           "stiffness over Mindlin's",
+                           {{"torsion", fingertip().approaches, torsion}, {"shear", fingertip().approaches, shear}}});
   return solved;
 }
 

@@ -47,6 +47,8 @@ std::span<const ClaimSet> all_claims() {
                [] { return pressed_ellipse(0.1).quantities; }},
       ClaimSet{"rubber_hemisphere", "Rubber hemisphere pressed to 0.4 R: large strains",
                [] { return rubber_hemisphere().quantities; }},
+      ClaimSet{"fingertip", "Stiffness of a pressed rubber hemisphere that sticks: bristles",
+               [] { return fingertip().quantities; }},
       ClaimSet{"pad_disc_0", "Soft round pad turned about a pole at 0 m",
                [] { return pad(PadShape::disc, 0).quantities; }},
       ClaimSet{"pad_disc_05", "Soft round pad turned about a pole at 0.5 m",

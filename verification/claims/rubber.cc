@@ -41,6 +41,16 @@ RubberHemisphere rubber_hemisphere() {
   return rubber;
 }
 
+Fingertip fingertip() {
+  const std::vector<double> approaches{0.005, 0.01, 0.02, 0.05, 0.1}, one(approaches.size(), 1);
+  return {approaches,
+          {number("torsional stiffness over 16 E a^3 / 9, a = 0.07 R", "1", 1, 0.05,
+                  "5 %: a tip that is pressed has strains of order a / R; 4 % was found"),
+           {"torsional stiffness over 16 E a^3 / 9", "1", one, 1, 0, "strains of order a / R", Claim::differs},
+           {"shear stiffness over 16 E a / 9", "1", one, 1, 0, "the tip between plate and base yields as well",
+            Claim::differs}}};
+}
+
 std::vector<std::vector<double>> values_of(const std::vector<double>& forces, const std::vector<double>& radii) {
   std::vector<contact::MeasuredRadius> points;
   for (std::size_t k = 0; k < forces.size(); ++k) points.push_back({forces[k], radii[k]});
