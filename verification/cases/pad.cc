@@ -35,31 +35,27 @@ Solved solve_pad(const Pad& pad, const Setting& setting) {
   model.nonlinear(fmt::format("-{0}.[Test_u(1);Test_u(2)]+(1/gam)*({0}-t).Test_t", traction), region::contact);
   model.hold("u", region::held);
 
-  // In units of mu p h / G: from where nearly all sticks to where the last circle around the pole is lost.
   Solved solved;
-  Curve curve{"break_away", "theta G / (mu p h)", "share of mu F", {{"FE, force", {}, {}}, {"FE, moment / m", {}, {}}}};
-  double force = 0, moment = 0;
+  std::vector<double> forces, moments;
   const double full = pad.mu * pad.load;
-  for (const double share : {0.1, 0.3, 1., 3., 10., 100.}) {
+  for (const double share : pad.turns) {
     const double turn = share * pad.mu * pad.height;
     model.known("turned", turn);
     solved.iterations += model.solve(1e-7, fmt::format("pad turned by {:g} rad", turn));
     model.remember("u_before", "u");
     model.known("before", turn);
-    force = model.integral("t(2)", region::contact) / full;
-    moment = model.integral("X(1)*t(2)-X(2)*t(1)", region::contact) / full;
-    curve.lines[0].x.push_back(share);
-    curve.lines[0].y.push_back(force);
-    curve.lines[1].x.push_back(share);
-    curve.lines[1].y.push_back(moment);
-  }
-  for (std::size_t q_index = 0; q_index < 2; ++q_index) {
-    const double limit = pad.quantities[q_index].library[0];
-    curve.lines.push_back({q_index == 0 ? "library, force" : "library, moment / m", {0.1, 100}, {limit, limit}, true});
+    forces.push_back(model.integral("t(2)", region::contact) / full);
+    moments.push_back(model.integral("X(1)*t(2)-X(2)*t(1)", region::contact) / full);
   }
   solved.unknowns = model.unknowns();
-  solved.values = {{force}, {moment}};
-  solved.curves.push_back(std::move(curve));
+  solved.values = {{forces.back()}, {moments.back()}, forces, moments};
+  solved.curves.push_back({"break_away",
+                           "theta G / (mu p h)",
+                           "share of mu F",
+                           {{"FE, force", pad.turns, forces},
+                            {"FE, moment / m", pad.turns, moments},
+                            {"bristles, force", pad.turns, pad.quantities[2].library, true},
+                            {"bristles, moment / m", pad.turns, pad.quantities[3].library, true}}});
   return solved;
 }
 

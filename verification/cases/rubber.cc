@@ -171,7 +171,7 @@ Solved solve_fingertip(const Setting& setting) {
     solved.unknowns = model.unknowns();
   }
   solved.values = {{torsion.front()}, torsion, shear};
-  solved.curves.push_back({"stiffness over Mindlin's",
+  solved.curves.push_back({"stiffness",
                            "approach / R",
                            "stiffness over Mindlin's",
                            {{"torsion", fingertip().approaches, torsion}, {"shear", fingertip().approaches, shear}}});
