@@ -39,6 +39,11 @@ target_compile_options(
   patchgrip_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
                             $<$<CONFIG:Release>:-fno-math-errno;-fno-trapping-math>)
 
+# Tests try the library as it is built for users; their own code need not be fast, and compiles in half the time.
+add_library(patchgrip_test_flags INTERFACE)
+target_compile_options(patchgrip_test_flags INTERFACE $<$<CONFIG:Release>:-Og>)
+target_link_libraries(patchgrip_test_flags INTERFACE patchgrip_flags)
+
 function(patchgrip_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "FOLDER" "SOURCES;HEADERS;CGAL_SOURCES;PUBLIC;PRIVATE")
   if(NOT arg_FOLDER)
@@ -111,7 +116,7 @@ function(patchgrip_test path)
   if(TARGET patchgrip::${folder})
     list(PREPEND arg_LIBS patchgrip::${folder})
   endif()
-  target_link_libraries(${target} PRIVATE patchgrip_flags ${arg_LIBS} rapidcheck GTest::gmock GTest::gtest_main)
+  target_link_libraries(${target} PRIVATE patchgrip_test_flags ${arg_LIBS} rapidcheck GTest::gmock GTest::gtest_main)
   target_precompile_headers(${target} REUSE_FROM test_headers)
   set(environment)
   if(PATCHGRIP_TEST_SEED)
