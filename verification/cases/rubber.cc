@@ -122,7 +122,7 @@ void add_motions(Model& model, double n) {
 }  // namespace
 
 Solved solve_rubber_hemisphere(const Setting& setting) {
-  const RubberHemisphere rubber = rubber_hemisphere();
+  const PressedHemisphere rubber = rubber_hemisphere();
   auto model = std::make_shared<Model>(hemisphere(setting.elements));
   Solved solved;
   std::vector<double> forces, radii;

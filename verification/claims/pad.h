@@ -3,8 +3,8 @@
 // G = 1 Pa, mean pressure 1 Pa, mu = 0.5, height 0.3 m, the minor radius or half side 1 m; the face is z = 0 and the
 // back is held. A rigid plane touches the face and turns by theta about (d, 0), against the bristles that the pad is.
 //
-// Until all slides, dynamics/return_mapping.h says what bristles in the mean carry that are as stiff as the sheared layer,
-// K = (G / h) diag(A, A, I): they stick or slip all at once, the pad from its edge inwards.
+// Until all slides, dynamics/return_mapping.h says what bristles in the mean carry that are as stiff as the sheared
+// layer, K = (G / h) diag(A, A, I): they stick or slip all at once, the pad from its edge inwards.
 #pragma once
 
 #include <string>

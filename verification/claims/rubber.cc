@@ -14,10 +14,10 @@ constexpr double modulus = 4;  // E* = 4 G for nu = 1/2
 
 }  // namespace
 
-RubberHemisphere rubber_hemisphere() {
+PressedHemisphere rubber_hemisphere() {
   using Exact = contact::AxisymmetricContact<contact::Sphere>;
   const std::string reason = "large strains, and a base that is held";
-  RubberHemisphere rubber{{0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4}, {}};
+  PressedHemisphere rubber{{0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4}, {}};
   const std::vector<double> right(rubber.approaches.size(), 1);
   std::vector<double> hertz, sphere, hertz_radius, sphere_radius;
   for (const double d : rubber.approaches) {
@@ -41,7 +41,7 @@ RubberHemisphere rubber_hemisphere() {
   return rubber;
 }
 
-Fingertip fingertip() {
+PressedHemisphere fingertip() {
   const std::vector<double> approaches{0.005, 0.01, 0.02, 0.05, 0.1}, one(approaches.size(), 1);
   return {approaches,
           {number("torsional stiffness over 16 E a^3 / 9, a = 0.07 R", "1", 1, 0.05,

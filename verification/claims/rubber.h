@@ -17,21 +17,17 @@
 
 namespace patchgrip::verification {
 
-struct RubberHemisphere {
+struct PressedHemisphere {
   std::vector<double> approaches;  // of the plate to the base [m]
   std::vector<Quantity> quantities;
 };
-RubberHemisphere rubber_hemisphere();
+PressedHemisphere rubber_hemisphere();
 
 // What is claimed of them, from the loads [N] and radii [m] at the approaches.
 std::vector<std::vector<double>> values_of(const std::vector<double>& forces, const std::vector<double>& radii);
 
 // What sticks moves with the plate: Q = K_v d, M = K_w beta, for dynamics/ to take as the stiffness of its bristles. Of
 // Mindlin's K_v = 16 E a / 9, K_w = 16 E a^3 / 9, with E = 3 G and the radius that FE finds, they are those shares.
-struct Fingertip {
-  std::vector<double> approaches;  // of the plate to the base [m]
-  std::vector<Quantity> quantities;
-};
-Fingertip fingertip();
+PressedHemisphere fingertip();
 
 }  // namespace patchgrip::verification
