@@ -2,12 +2,13 @@
 //
 //     grasp [--output CSV] [--instances N] [--short]
 //
-// Contacts lie round a ball of 5 cm, mu in 0.2 .. 0.9, soft fingers of 1 to 6 mm; admissible forces are drawn, the load
-// is what they carry. Infeasible grasps have a twist that every contact yields to, and a load along it. Of the times of N
-// instances (10) the median counts, of each instance the fastest run, in CPU time of all threads. Set-up is included but
-// for warm starts, whose load turns by 0.2 degrees a step. SDPA solves the matrix inequalities of lmi.h, where it is
-// installed; OPENBLAS_NUM_THREADS=1 keeps it to one thread. What the allocator gives back to the system after each grasp and
-// fetches anew for the next is a sixth of the time at 1000 contacts: at the end it keeps it. --short repeats less.
+// Contacts lie round a ball of 5 cm, mu in 0.2 .. 0.9, soft fingers of 1 to 6 mm; admissible forces are drawn, the
+// load is what they carry. Infeasible grasps have a twist that every contact yields to, and a load along it. Of the
+// times of N instances (10) the median counts, of each instance the fastest run, in CPU time of all threads. Set-up is
+// included but for warm starts, whose load turns by 0.2 degrees a step. SDPA solves the matrix inequalities of lmi.h,
+// where it is installed; OPENBLAS_NUM_THREADS=1 keeps it to one thread. What the allocator gives back to the system
+// after each grasp and fetches anew for the next is a sixth of the time at 1000 contacts: at the end it keeps it.
+// --short repeats less.
 #include <fmt/ostream.h>
 #include <malloc.h>
 #include <time.h>
@@ -198,10 +199,10 @@ void print_sdpa(const Options& options) {
 }
 #endif
 
-void print_growth(const Options& options, const char* memory) {
+void print_growth(const Options& options) {
   for (const auto& [model, name] :
        {std::pair{Model::elliptic, "elliptic"}, std::pair{Model::point, "point"}, std::pair{Model::hertz, "Hertz"}}) {
-    print_line(fmt::format("1000 {} contacts / 100{}", name, memory), "<=", 13,
+    print_line(fmt::format("1000 {} contacts / 100", name), "<=", 13,
                least_us(options, model, 1000) / least_us(options, model, 100));
   }
 }
@@ -298,14 +299,15 @@ int main(int argc, char** argv) {
 #ifdef PATCHGRIP_WITH_SDPA
   print_sdpa(options);
 #endif
-  print_growth(options, "");
+  print_growth(options);
   print_models(options);
   print_warm(options);
+  fmt::print("\nTime and relative error of the least grip\n");
+  print_cuts(options, csv);
+  fmt::print("\nMemory kept\n");
   constexpr int kept = 1 << 28;
   mallopt(M_MMAP_THRESHOLD, kept / 8);
   mallopt(M_TRIM_THRESHOLD, kept);
-  print_growth(options, ", in memory that is kept");
-  fmt::print("\nTime and relative error of the least grip\n");
-  print_cuts(options, csv);
+  print_growth(options);
   return line.write([&](std::ostream& file) { file << csv.str(); });
 }

@@ -25,7 +25,7 @@ bool GripSolver::decided() const noexcept {
 }
 
 void GripSolver::solve(const GripProblem& problem, bool warm) noexcept {
-  const bool follows = warm && polished_;
+  const bool follows = warm && polished_ && problem.objective == problem_.objective;
   if (!follows || effort_.repairs > 0) path_.forget();  // other states
   if (follows) polish_.solution(path_.add(problem_.load));
   problem_ = problem;

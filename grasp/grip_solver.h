@@ -38,8 +38,8 @@ class GripSolver {
  public:
   GripSolver(const ScaledGrasp& grasp, const GripSettings& settings);
 
-  // From nothing; or from the states of the last problem that it polished, if that differs in its load alone, and where
-  // those of the problems that were solved so before lead to.
+  // From nothing; or, after a polished problem of the same objective, from its states and from where the path of such
+  // loads leads to: for loads that change little under the same limits.
   void solve(const GripProblem& problem, bool warm) noexcept;
 
   // The largest share of the upper bound that a charge of first order may be for it to count.

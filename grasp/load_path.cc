@@ -25,14 +25,15 @@ LoadPath::Weights LoadPath::weights(Eigen::Index n, double length) const noexcep
 }
 
 const Eigen::VectorXd& LoadPath::lead(const Vector6& load) noexcept {
-  constexpr double alike = 1e-9;  // on a straight line two loads do as well as five
+  constexpr double alike = 1e-9;    // on a straight line two loads do as well as five
+  constexpr double heaviest = 1e3;  // more would lift the rounding of the solutions
   const double step = (load - loads_.col(slot(0))).norm(), length = lengths_[slot(0)] + step;
   Weights best = weights(1, length);
   double least = step;
   for (Eigen::Index n = 2; n <= count_; ++n) {
     const Weights l = weights(n, length);
     const double off = (loads_ * l - load).norm();
-    if (!(off <= least + alike * step)) continue;
+    if (!(off <= least + alike * step) || l.cwiseAbs().sum() > heaviest) continue;
     least = std::min(least, off);
     best = l;
   }

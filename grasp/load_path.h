@@ -2,8 +2,9 @@
 //
 //     x(t) = sum l_k(t) x_k,   t_k = sum |w_j - w_{j-1}|     (Lagrange, through the last 1 to 5)
 //
-// Of the loads themselves the same is known: as many of the last count as continue them best. On a smooth path each
-// more takes off a power of the step; across a corner the last alone is left.
+// Of the loads themselves the same is known: as many of the last count as continue them best. On a smooth path in even
+// steps each more takes off a power of the step; in uneven ones it ends with the third, as t are chords and not arcs.
+// Across a corner the last alone is left.
 //
 // Only a guess: polish.h starts from it. Memory: allocated by the constructor.
 #pragma once

@@ -55,9 +55,11 @@ class Polish {
   const std::vector<PartState>& parts() const noexcept { return parts_; }
   bool is_capped(std::size_t contact) const noexcept { return capped_[contact] != 0; }
 
-  // Newton's matrix at the present states, for what refines them further (extended_polish.h); false where it is infinite.
+  // Newton's matrix at the present states, for what refines them further (extended_polish.h); false where it is
+  // infinite.
   bool factor(const GripProblem& problem) noexcept;
-  // Its unknowns: W, s if `limited`, then of each active part F, unless pinned by the cap, and the friction that sticks.
+  // Its unknowns: W, s if `limited`, then of each active part F, unless pinned by the cap, and the friction that
+  // sticks.
   Eigen::Index unknowns() const noexcept { return count_; }
   Eigen::Index unknown(std::size_t part) const noexcept { return work_[part].unknown; }
   bool is_pinned(std::size_t part) const noexcept { return work_[part].pinned; }

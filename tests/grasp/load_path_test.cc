@@ -58,24 +58,34 @@ TEST(LoadPath, HasForgottenWhatItIsToldToForget) {
   EXPECT_EQ(path.lead(4 * direction())[0], 7);
 }
 
-// Where no contact changes its state.
-TEST(LoadPath, MakesOneOrTwoStepsOfNewtonOfFour) {
-  int loads = 0, steps = 0;
+TEST(LoadPath, LeavesOutLoadsThatAreNextToEachOther) {
+  LoadPath path(1);
+  for (const double t : {0., 1e-12}) path.add(t * direction()) << 1 + t + 1e-13 * (t > 0);
+  EXPECT_NEAR(path.lead(1e-3 * direction())[0], 1, 1e-11);
+}
+
+TEST(LoadPath, SavesStepsOfNewton) {
+  int loads = 0, warm = 0, steps = 0, from_the_last_alone = 0;
   for (const DrawnGrasp& g : held_grasps(13, 20)) {
-    Grasp grasp(g.made());
+    Grasp grasp(g.made()), alone(g.made());
     grasp.least_grip(g.load);
-    int since = 0;
+    Vector6 before = g.load;
     for (int k = 1; k <= 20; ++k) {
       const Matrix3 Q = Eigen::AngleAxisd(0.003 * k, Vector3(1, 2, 3).normalized()).toRotationMatrix();
-      const Effort& effort = grasp.next_least_grip(spatial(Q * g.load.head<3>(), Q * g.load.tail<3>())).effort;
-      since = effort.route == Route::warm && effort.repairs == 0 ? since + 1 : 0;
-      if (since <= 5) continue;
+      const Vector6 load = spatial(Q * g.load.head<3>(), Q * g.load.tail<3>());
+      const Effort& effort = grasp.next_least_grip(load).effort;
+      alone.least_grip(before);
+      before = load;
+      const Effort& effort_alone = alone.next_least_grip(load).effort;
       ++loads;
+      if (effort.route != Route::warm || effort_alone.route != Route::warm) continue;
+      ++warm;
       steps += effort.newton_steps;
+      from_the_last_alone += effort_alone.newton_steps;
     }
   }
-  EXPECT_GE(loads, 200);
-  EXPECT_LE(steps, 2 * loads);
+  EXPECT_GE(warm, 0.9 * loads);
+  EXPECT_LE(steps, 0.7 * from_the_last_alone);
 }
 
 }  // namespace
