@@ -3,11 +3,12 @@
 import numpy as np
 
 import style
-from style import BLACK, BLUE, GREEN, ORANGE, plt
+from style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, plt
 from table import Table
 
 INTEGRATORS = (("dopri5", "ours", BLACK, "o"), ("cvode_bdf", "CVODE BDF", BLUE, "s"),
-               ("cvode_adams", "CVODE Adams", ORANGE, "D"), ("arkode", "ARKODE, Dormand and Prince", GREEN, "^"))
+               ("cvode_adams", "CVODE Adams", ORANGE, "D"), ("arkode_erk", "ARKODE, Dormand and Prince", GREEN, "^"),
+               ("arkode_dirk", "ARKODE, Kvaerno", SKY, "v"), ("ida", "IDA, of the implicit law", PURPLE, "X"))
 SCENES = (("example_4_7", "elastoplastic point"), ("figure_4_30", "elastoplastic disc"),
           ("block_half_freedom", "half a degree of freedom"), ("oscillation_lugre", "LuGre, oscillating load"),
           ("figure_4_15_tanh", "tanh"))
