@@ -6,7 +6,8 @@
 // 1 kg, R = 0.05 m, J = m R^2 / 2, v = 1 m/s, w = 20 rad/s, mu = 0.5, g = 9.81 m/s^2. The error of a law with bristles
 // tends to what their give makes of the stop; it is told where the puck would stop by its last state that still slides
 // for half a step, or at 0.01 m/s: 2 T / mu F_N D(v) later. The stack is the puck on a body of 1e9 kg that the ground
-// holds. With libsundials-dev CVODE follows the laws of bristles, too. --short repeats less and leaves out the finest.
+// holds. With libsundials-dev CVODE follows the laws of bristles, too, and IDA the implicit one as it is written,
+// K kappa + D dkappa/dt = U^T L grad D(U e), e = v - dkappa/dt. --short repeats less and leaves out the finest.
 #include <fmt/ostream.h>
 
 #include <algorithm>
@@ -135,9 +136,9 @@ auto rates_of(const Motion& motion) {
 
 template <class P, class Flow>
 Stop stop_of(const P& disc, Flow&& flow) {
-  flow.watch([](double, const BristleState& x) { return std::hypot(x[3], x[4], R * x[5]) - slow; });
-  flow.run(horizon, [](double, const BristleState&, std::size_t) { return true; });
-  const BristleState x = flow.state();
+  flow.watch([](double, const auto& x) { return std::hypot(x[3], x[4], R * x[5]) - slow; });
+  flow.run(horizon, [](double, const auto&, std::size_t) { return true; });
+  const auto x = flow.state();
   return stop_from(disc, flow.time(), {x[0], x[1], x[2]}, {x[3], x[4], x[5]}, flow.evaluations());
 }
 
@@ -150,6 +151,23 @@ Stop by_dopri5(const P& disc, const Motion& motion, double tolerance) {
 template <class P, class Motion>
 Stop by_cvode(const P& disc, const Motion& motion, patchgrip::bench::SundialsMethod method, double tolerance) {
   return stop_of(disc, patchgrip::bench::SundialsFlow<11>(method, rates_of(motion), bristle_start, 0, tolerance));
+}
+
+// Half a degree of freedom, its zone sliding: place, twist and kappa as in bristle_motion.h.
+template <class P>
+Stop half_freedom_by_ida(const P& disc, double k, double d, double tolerance) {
+  using Flow = patchgrip::bench::SundialsFlow<9>;
+  const Vector3 K(k, k, k * R * R / 2), D(d, d, d * R * R / 2);
+  const auto residual = [&](double, const Flow::State& x, const Flow::State& dx, Flow::State& r) {
+    const Vector3 kappa(x[6], x[7], x[8]), rate(dx[6], dx[7], dx[8]);
+    const Vector3 e = turned({x[3], x[4], x[5]}, x[8] - x[2]) - rate;
+    const Vector3 s = K.cwiseProduct(kappa) + D.cwiseProduct(rate), pull = turned(s, x[2] - x[8]);
+    const Wrench zone = zone_wrench(kappa, s);
+    const Wrench g = disc.gradient({e[0] + kappa[1] * e[2], e[1] - kappa[0] * e[2], e[2]});
+    r = {dx[0] - x[3],        dx[1] - x[4],       dx[2] - x[5],       dx[3] + pull[0], dx[4] + pull[1],
+         J * dx[5] + pull[2], zone.fx - L * g.fx, zone.fy - L * g.fy, zone.m - L * g.m};
+  };
+  return stop_of(disc, Flow(residual, {0, 0, 0, 1, 0, 20}, 0, tolerance));
 }
 #endif
 
@@ -220,6 +238,8 @@ void measure(const Truth& truth, const P& disc, bool is_short, std::ostream& csv
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       row("half_freedom", integrator, tolerance, [&] { return by_cvode(disc, half, method, tolerance); });
   }
+  for (const double tolerance : {1e-4, 1e-6, 1e-8})
+    row("half_freedom", "ida", tolerance, [&] { return half_freedom_by_ida(disc, 1e6, 1e3, tolerance); });
 #endif
   fmt::print("\n");
 }

@@ -15,7 +15,8 @@ METHODS = (("rigid", "stretched", "rigid, stretched time", BLACK, "o"), ("return
            ("elastoplastic", "cvode_adams", "elastoplastic, CVODE Adams", GREY, ">"),
            ("half_freedom", "dopri5", "half a degree of freedom, RK5(4)", PURPLE, "X"),
            ("half_freedom", "cvode_bdf", "half a degree of freedom, CVODE BDF", PURPLE, "<"),
-           ("half_freedom", "cvode_adams", "half a degree of freedom, CVODE Adams", PURPLE, ">"))
+           ("half_freedom", "cvode_adams", "half a degree of freedom, CVODE Adams", PURPLE, ">"),
+           ("half_freedom", "ida", "half a degree of freedom, IDA", PURPLE, "v"))
 PANELS = (("us", r"CPU time [$\mu$s]", "stop_error_s", "error of the stop [s]"),
           ("us", r"CPU time [$\mu$s]", "distance_error_m", "error of the distance [m]"),
           ("evaluations", "evaluations of friction [-]", "stop_error_s", "error of the stop [s]"))
@@ -32,7 +33,7 @@ def main():
         panel = figure.add_subplot(grid[0, column])
         for law, integrator, name, colour, marker in METHODS:
             rows = disc & (table["law"] == law) & (table["integrator"] == integrator)
-            if not rows.any():  # CVODE, without libsundials-dev
+            if not rows.any():  # those of SUNDIALS, without libsundials-dev
                 continue
             panel.loglog(table[across][rows], np.maximum(table[up][rows], FLOOR), color=colour, marker=marker, markersize=4,
                          linewidth=1, label=name)
