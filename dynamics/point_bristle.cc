@@ -108,8 +108,8 @@ double bristle_pull(const PointBristle& bristle, double kappa, double rate) noex
 
 double bristle_force(const PointBristle& bristle, const Law& law, double normal_force, double kappa, double rate,
                      double v) noexcept {
-  if (!is_pressed(law, normal_force)) return 0;
-  return bristle_pull(bristle, kappa, rate) + bristle.viscous_share * viscous_force(law, normal_force, v);
+  const double pull = is_pressed(law, normal_force) ? bristle_pull(bristle, kappa, rate) : 0;
+  return pull + bristle.viscous_share * viscous_force(law, normal_force, v);
 }
 
 }  // namespace patchgrip::dynamics

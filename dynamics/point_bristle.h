@@ -31,8 +31,8 @@
 //          dissipates if r = c_1 |v| / |S| is at most rho^2 / (rho - 1), rho = mu_s / mu_k < 2, or 4 beyond; with nu_0
 //          if nu_0 <= 1 / (1 - kappa_1 / kappa_2); linearised if 0 <= nu (1 - c_0 kappa / S) <= 1. Dahl and LuGre creep
 //          under a load that oscillates below the limit; elastoplastic does not.
-// Unpressed    where mu_s F_N = 0 a bristle stays as it is and carries nothing: yielding to S -> 0 it is straight as
-//              soon as it slides. A motion lets it go there, kappa = 0, and loses what it had stored.
+// Unpressed    where mu_s F_N = 0 a bristle stays as it is and carries nothing, R = c_2 V: yielding to S -> 0 it is
+//              straight as soon as it slides. A motion lets it go there, kappa = 0, and loses what it had stored.
 // Units    c_0 [N/m], c_1 [N s/m]; kappa [m]; v [m/s]; R [N].
 // Error    a few units of rounding of the largest term; tests/dynamics/point_law_test.cc.
 // Throws   PointBristle::check std::invalid_argument, naming the parameter. Nothing else.
@@ -88,7 +88,7 @@ double switch_ramp(double x) noexcept;
 // c_0 kappa + c_1 dkappa/dt [N]: between body and zone, pressed or not.
 double bristle_pull(const PointBristle& bristle, double kappa, double rate) noexcept;
 
-// R [N], of the support on the body.
+// R [N], of the support on the body, by a bristle that yields; half a degree of freedom has bristle_pull.
 double bristle_force(const PointBristle& bristle, const Law& law, double normal_force, double kappa, double rate,
                      double v) noexcept;
 

@@ -159,7 +159,7 @@ class PointFriction {
                               ? half_freedom_exact_rate(bristle_, law_, F, kappa, u)
                               : half_freedom_linearised_rate(bristle_, law_, F, kappa, u);
       const double pull = std::fabs(bristle_.c0 * kappa - bristle_.c1 * u);
-      return {bristle_force(bristle_, law_, F, kappa, rate, u), rate, S > 0 ? pull / S : 2};
+      return {bristle_pull(bristle_, kappa, rate), rate, S > 0 ? pull / S : 2};
     }
     const double rate = method_ == FrictionMethod::elastoplastic ? extended_rate(bristle_, law_, F, kappa, u)
                                                                  : dahl_rate(bristle_, law_, F, kappa, u);
@@ -204,8 +204,8 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
     const auto corner = std::ranges::upper_bound(corners, t);
     const double end = corner == corners.end() ? s.times.back() : std::min(s.times.back(), *corner);
     const double last = std::nextafter(end, t);
-    let_go = law.yields() && pressing(t) < 0;
-    if (let_go) {
+    let_go = law.yields() && (pressing(t) < 0 || least == 0);
+    if (let_go || (law.yields() && scene.law.mu_static == 0)) {
       y[5] += law.stiffness() * y[2] * y[2] / 2;
       y[2] = 0;
     }

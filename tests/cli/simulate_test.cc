@@ -222,6 +222,33 @@ TEST_F(Simulate, APointThatNothingPressesCoasts) {
   }
 }
 
+// m v' = -mu_V F_N v by every law of a point, no dry friction: v = exp(-t) m/s. A bristle that is settled carries none
+// of the load, and what it has stored is lost.
+TEST_F(Simulate, ViscousFrictionAloneSlowsAPoint) {
+  const std::string block =
+      "[contact]\npatch = \"point\"\nnormal_force = 10\n[friction]\nmu_viscous = 0.1\n[body]\nmass = 1\n"
+      "velocity = [1, 0]\n[motion]\ntimes = [0, 1, 2]\nmethod = ";
+  for (const char* method : {"\"rigid\"", "\"tanh\"\nsteepness = 100", "\"dahl\"\nstiffness = 1e4",
+                             "\"lugre\"\nstiffness = 1e4\ndamping = 10"}) {
+    const std::string scene = block + method + "\n";
+    const Answer a = answer_to(scene);
+    for (const std::size_t i : {1u, 2u})
+      EXPECT_NEAR(a.table["v_m_per_s"][i], std::exp(-static_cast<double>(i)), 1e-10) << method;
+    EXPECT_LE(a.json["summary"]["energy_balance_error"]["value"].get<double>(), 1e-9) << method;
+    if (scene.find("stiffness") == std::string::npos) continue;
+    const Answer settled =
+        answer_to(with(scene, "mass = 1", "mass = 1\nsettled = true") + "[[applied]]\nforce = [1, 0]\n");
+    EXPECT_NEAR(settled.table["v_m_per_s"].back(), 1, 1e-10) << method;  // 1 N / mu_V F_N
+    EXPECT_EQ(settled.table["stored_J"], (std::vector<double>{0, 0, 0})) << method;
+  }
+  for (const char* half : {"\"half_freedom\"", "\"half_freedom_linearised\""}) {
+    // Its zone in balance: c_1 kappa' = V(v + kappa') - c_0 kappa, and a stiff bristle makes it the body's.
+    const Answer a = answer_to(block + half + "\nstiffness = 1e6\ndamping = 1e3\n");
+    EXPECT_NEAR(a.table["v_m_per_s"].back(), std::exp(-2), 1e-5) << half;
+    EXPECT_LE(a.json["summary"]["energy_balance_error"]["value"].get<double>(), 1e-9) << half;
+  }
+}
+
 // A body at rest that nothing presses any more has nothing to slip by; one that is pulled or turned then has a pole.
 TEST_F(Simulate, ABodyThatNothingPressesBreaksAwayWhereItMoves) {
   const std::string scene =
@@ -259,6 +286,24 @@ TEST_F(Simulate, APointIsLetGoWhenNothingPressesAnyMore) {
                                "[normal_force]\nduring = [0, 0.5]\n");
     EXPECT_EQ(a.value("break_away"), 0.5) << method;
     EXPECT_NEAR(a.table["v_m_per_s"].back(), 1.5 / 2, 1e-11) << method;
+  }
+}
+
+// Bristles that nothing ever presses were never bent: what a settled one would have stored is lost at once.
+TEST_F(Simulate, ABristleThatNothingEverPressesIsStraight) {
+  const std::string settled = with(with(good_point, "velocity = [3, 0]", "settled = true"), "ramp = [0, 1]", "");
+  for (const char* method : {"\"dahl\"\nstiffness = 1e4", "\"lugre\"\nstiffness = 1e4\ndamping = 10",
+                             "\"elastoplastic\"\nstiffness = 1e4\ndamping = 10"}) {
+    for (const char* course : {"course = [[0, 0], [1, 0]]", "course = [[0, 0], [5, 1]]", "during = [3, 4]"}) {
+      const Answer a = answer_to(with(settled, "[motion]", "[motion]\nmethod = " + std::string(method)) +
+                                 "[normal_force]\n" + course + "\n");
+      if (!std::string(course).ends_with("[5, 1]]")) {
+        EXPECT_EQ(a.table["deflection_m"], (std::vector<double>{0, 0, 0})) << method << course;
+        EXPECT_NEAR(a.table["v_m_per_s"].back(), 1. / 2 * 2, 1e-11) << method << course;
+      }
+      EXPECT_EQ(a.table["stored_J"][0], 0) << method << course;
+      EXPECT_LE(a.json["summary"]["energy_balance_error"]["value"].get<double>(), 1e-9) << method << course;
+    }
   }
 }
 

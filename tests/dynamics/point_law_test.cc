@@ -110,6 +110,20 @@ TEST(PointBristle, CarriesNothingWhereNothingPresses) {
   }
 }
 
+// The viscous part of friction needs no dry one.
+TEST(PointBristle, ViscousFrictionActsAlone) {
+  const Law law = Law::coulomb(0).with_viscous(0.1);
+  const double F = 20, kappa = 2e-4;
+  const PointBristle bristle{1e4, 10, 0.5, 0.9, 1.5}, half{1e4, 10};
+  for (const double v : {-0.3, 0., 2.}) {
+    for (const auto rate : {dahl_rate, elastoplastic_rate, extended_rate})
+      EXPECT_EQ(bristle_force(bristle, law, F, kappa, rate(bristle, law, F, kappa, v), v), -0.5 * 0.1 * F * v);
+    const double zone = v + half_freedom_exact_rate(half, law, F, kappa, v);
+    EXPECT_NEAR(bristle_pull(half, kappa, zone - v), -0.1 * F * zone, 1e-13);
+    EXPECT_NEAR(zone, (half.c1 * v - half.c0 * kappa) / (half.c1 + 0.1 * F), 1e-14);
+  }
+}
+
 // Half a degree of freedom: the root solves the balance of the zone, and the zone sticks exactly below mu_s F_N.
 TEST(PointBristle, TheZoneOfHalfADegreeOfFreedomIsInBalance) {
   const Law law = Law::stribeck(0.9, 0.4, 0.02).with_viscous(0.05);
@@ -117,7 +131,7 @@ TEST(PointBristle, TheZoneOfHalfADegreeOfFreedomIsInBalance) {
   for (const double kappa : {-1e-3, -4e-4, 0., 3e-4}) {
     for (const double v : {-0.3, -0.01, 0., 0.002, 0.05, 2.}) {
       const double rate = half_freedom_exact_rate(bristle, law, 20, kappa, v), u = v + rate;
-      const double force = bristle_force(bristle, law, 20, kappa, rate, v);
+      const double force = bristle_pull(bristle, kappa, rate);
       if (std::fabs(bristle.c0 * kappa - bristle.c1 * v) <= 18) {
         EXPECT_EQ(rate, -v);
         EXPECT_LE(std::fabs(force), 18);
