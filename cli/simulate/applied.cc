@@ -26,13 +26,24 @@ struct Value {
   }
 };
 
+// From 0 to `end`.
 struct Largest {
+  double end;
+
   double operator()(const ConstantCourse&) const { return 1; }
-  double operator()(const DuringCourse&) const { return 1; }
-  double operator()(const RampCourse&) const { return 1; }
-  double operator()(const SineCourse& c) const { return c.mean + 1; }
+  double operator()(const DuringCourse& c) const { return c.from <= end && c.to > 0 ? 1 : 0; }
+  double operator()(const RampCourse& c) const { return Value{end}(c); }
+  double operator()(const SineCourse& c) const {
+    const double turn = 2 * std::numbers::pi, to_crest = std::fmod(turn / 4 - c.phase, turn);
+    const bool crests = to_crest + (to_crest < 0 ? turn : 0) <= c.angular_frequency * end;
+    return crests ? c.mean + 1 : std::max(Value{0}(c), Value{end}(c));
+  }
   double operator()(const PointCourse& c) const {
-    return (*std::ranges::max_element(c.points, {}, [](const auto& p) { return p[1]; }))[1];
+    double largest = std::max(Value{0}(c), Value{end}(c));
+    for (const auto& [t, value] : c.points) {
+      if (t > 0 && t <= end) largest = std::max(largest, value);
+    }
+    return largest;
   }
 };
 
@@ -52,7 +63,7 @@ struct Corners {
 
 double value_at(const Course& course, double t) { return std::visit(Value{t}, course); }
 
-double largest_value(const Course& course) { return std::visit(Largest{}, course); }
+double largest_value(const Course& course, double end) { return std::visit(Largest{end}, course); }
 
 void add_corners(const Course& course, std::vector<double>& corners) { std::visit(Corners{corners}, course); }
 

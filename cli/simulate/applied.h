@@ -36,8 +36,8 @@ using Course = std::variant<ConstantCourse, DuringCourse, RampCourse, SineCourse
 
 double value_at(const Course& course, double t);
 
-// The largest that it comes to at any time.
-double largest_value(const Course& course);
+// The largest that it comes to from 0 to `end`, also from before a jump.
+double largest_value(const Course& course, double end);
 
 // Where it jumps or has a corner, in any order.
 void add_corners(const Course& course, std::vector<double>& corners);

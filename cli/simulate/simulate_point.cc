@@ -186,7 +186,7 @@ void simulate_smooth_point(PointSetting& s, MotionRecord& record) {
   const PointFriction law(scene);
   // No step is short enough for a bristle that yields to nothing. Below this force it is let go: a force that passes 0
   // in proportion to time has no more than `tolerance` of its momentum left.
-  const double least = std::sqrt(s.tolerance) * scene.contact.normal_force * largest_value(scene.pressing);
+  const double least = std::sqrt(s.tolerance) * scene.contact.normal_force * largest_value(scene.pressing, scene.end());
   const auto pressing = [&](double t) { return scene.normal_force(t) - least; };
   bool let_go = false;
   const auto friction = [&](double t, const Flow::State& y) {

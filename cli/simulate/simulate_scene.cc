@@ -266,7 +266,7 @@ SimulateScene read_simulate_scene(const TomlDocument& document, const MaterialLi
   if (upper) std::ranges::copy(upper->loads.courses(), std::back_inserter(others));
   AppliedLoads loads(read_applied(scene, point, followed_frequency(following)), others);
   Contact contact = read_contact(scene, materials);
-  const double most = largest_value(pressing);
+  const double most = largest_value(pressing, following.times[following.times.size() - 1]);
   if (most != 1 && most > 0) contact.warnings = read_contact(scene, materials, most).warnings;
   const double growth = read_growth(scene, contact);
   if (!point) require_size(scene, contact);

@@ -381,6 +381,37 @@ TEST_F(Simulate, WarnsOfTheLargestForce) {
     EXPECT_EQ(warnings_of("20.0", course), hard) << course;
   EXPECT_TRUE(warnings_of("20.0", "course = [[0, 1], [2, 0]]").empty());
   EXPECT_TRUE(warnings_of("20000.0", "course = [[0, 1e-3]]").empty());
+  // What comes after the last of the times, 2 s, presses nobody.
+  EXPECT_TRUE(warnings_of("20.0", "course = [[0, 1], [2, 1], [100, 1000]]").empty());
+}
+
+// The least that presses a bristle is a share of the most that presses it in time, not of what would later.
+TEST_F(Simulate, WhatPressesLaterDoesNotMatter) {
+  const std::string block = with(good_point, "[motion]", "[motion]\nmethod = \"lugre\"\nstiffness = 1e4\ndamping = 10");
+  const Answer now = answer_to(block + "[normal_force]\ncourse = [[0, 1], [2, 1]]\n");
+  const Answer later = answer_to(block + "[normal_force]\ncourse = [[0, 1], [2, 1], [9, 1e9]]\n");
+  EXPECT_EQ(now.table.rows, later.table.rows);
+}
+
+TEST(Course, TheLargestIsThatOfItsTime) {
+  EXPECT_EQ(largest_value(ConstantCourse{}, 2), 1);
+  EXPECT_EQ(largest_value(DuringCourse{1, 3}, 2), 1);
+  EXPECT_EQ(largest_value(DuringCourse{3, 4}, 2), 0);
+  EXPECT_EQ(largest_value(DuringCourse{-1, 0}, 2), 0);
+  EXPECT_EQ(largest_value(RampCourse{1, 5}, 2), 0.25);
+  EXPECT_EQ(largest_value(RampCourse{3, 5}, 2), 0);
+  EXPECT_EQ(largest_value(PointCourse{{{-1, 7}, {0, 6}, {0, 1}, {1, 3}, {1, 2}, {2, 2}, {4, 100}}}, 2), 3);
+  EXPECT_EQ(largest_value(PointCourse{{{1, 1}, {3, 5}}}, 2), 3);
+  EXPECT_EQ(largest_value(PointCourse{{{3, 5}, {4, 9}}}, 2), 5);
+  // Against what it is at many times.
+  for (const double phase : {-9., -2., 0., 1.5, 3., 8.}) {
+    for (double w = 0.1; w < 10; w *= 1.3) {
+      const Course sine = SineCourse{1.5, w, phase};
+      double seen = 0;
+      for (int i = 0; i <= 100000; ++i) seen = std::max(seen, value_at(sine, 2e-5 * i));
+      EXPECT_NEAR(largest_value(sine, 2), seen, 1e-7) << w << ", " << phase;
+    }
+  }
 }
 
 // Whatever the force does: friction loses energy, and what it has lost balances.
