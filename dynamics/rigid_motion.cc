@@ -22,6 +22,7 @@ using Stretched = Trajectory<10>;
 
 constexpr double at_rest = 1e-17;       // of rho to its largest
 constexpr double first_motion = 1e-12;  // [s] after a jump that starts the body
+constexpr double longest_start = 10;    // times `start`: of the longest step and of what is left of a piece
 
 Vector3 vector(const Twist& v) { return {v.vx, v.vy, v.w}; }
 
@@ -86,13 +87,9 @@ class Motion {
     return next == load_.jumps.end() ? end_ : std::min(*next, end_);
   }
 
-  double piece_start(double t) const {
-    const auto next = std::ranges::upper_bound(load_.jumps, t);
-    return next == load_.jumps.begin() ? std::numeric_limits<double>::lowest() : *(next - 1);
-  }
-
   // A little inside of a piece: at the jump itself the load is that after it.
   static double before(double t) { return std::nextafter(t, -std::numeric_limits<double>::infinity()); }
+  double last_before(double end) const { return end < end_ ? before(end) : end; }
 
   void sample_to(double t) {
     while (next_sample_ < samples_->size() && (*samples_)[next_sample_] <= t) {
@@ -104,7 +101,7 @@ class Motion {
   void stick() {
     sample_to(t_);
     if (excess(t_) > 0) return start_at_jump();
-    const double end = piece_end(t_), last = end < end_ ? before(end) : end;
+    const double end = piece_end(t_), last = last_before(end);
     double lo = t_;
     while (lo < last) {
       const double hi = std::min(last, lo + settings_.longest_step);
@@ -129,45 +126,75 @@ class Motion {
     if (settings_.on_event) settings_.on_event(events_.back());
   }
 
+  // The acceleration at rest where the load is beyond the limit; none where it is not.
+  Vector3 released(double t) const {
+    const double ratio = size(t);
+    const auto metric = BristleMetric::diagonal(mass_[0], mass_[1], mass_[2] / (ratio * ratio));
+    Vector3 a = vector(patch_.closest(shrunk(turned(force(t), -state_.place[2]), ratio), limit(t), metric).slip);
+    a[2] /= ratio;
+    return a;
+  }
+
+  // The same of a body that moves along n.
+  Vector3 released_along(const Vector3& n, double t) const {
+    return std::max(0., excess_along(n, t)) / n.dot(mass_.cwiseProduct(n)) * n;
+  }
+  double excess_along(const Vector3& n, double t) const {
+    const Twist own = grown(n, size(t));
+    return n.dot(turned(force(t), -state_.place[2])) - limit(t) * friction::power(patch_.gradient(own).value, own);
+  }
+
   // The load is beyond the limit: a finite acceleration.
   void start_at_jump() {
-    const Vector3 f = turned(force(t_), -state_.place[2]);
-    const double ratio = size(t_);
-    const auto metric = BristleMetric::diagonal(mass_[0], mass_[1], mass_[2] / (ratio * ratio));
-    Vector3 a = vector(patch_.closest(shrunk(f, ratio), limit(t_), metric).slip);
-    a[2] /= ratio;
+    const Vector3 a = released(t_);
     note(SlipEvent::Kind::break_away, a);
     state_.twist = turned(first_motion * a, state_.place[2]);
   }
 
-  // How fast the load passes the limit, as a share of it [1/s]; of the piece that t lies in. Infinite at its very end.
-  double passing_rate(double t) const {
-    const double h = t + std::min(1e-6 * settings_.longest_step, 1e-2 * (piece_end(t) - t)) - t;
-    if (h == 0 || limit(t) == 0) return std::numeric_limits<double>::infinity();
-    const double slope = t - h >= piece_start(t) ? (excess(t + h) - excess(t - h)) / (2 * h)
-                                                 : (4 * excess(t + h) - 3 * excess(t) - excess(t + 2 * h)) / (2 * h);
-    return slope / limit(t);
+  // The load passes the limit. Where there is none, or so little of it that no time tells its share from nothing, what
+  // the load and the limit come to from now on is all that there is.
+  void start_steadily() {
+    const double end = piece_end(t_), L = limit(t_);
+    const double longest = std::min(1., longest_start * settings_.start) * std::min(settings_.longest_step, end - t_);
+    if (L > 0) {
+      const Vector3 n = vector(gauge(t_).twist);
+      const auto passed = [&](double tau) {
+        return excess_along(n, std::min(t_ + tau, last_before(end))) / (settings_.start * L);
+      };
+      double tau = longest;
+      while (t_ + tau > t_ && passed(tau) > 2) tau /= passed(tau);
+      if (t_ + tau > t_) return leave(tau, [&](double t) { return released_along(n, t); });
+    }
+    if (t_ + longest > t_) return leave(longest, [&](double t) { return released(t); });
+    t_ = end;
   }
 
-  // The load passes the limit: the body leaves like tau^2. Where the limit comes to nothing before a time that could be
-  // told from now, it leaves at that corner.
-  void start_steadily() {
-    const double L = limit(t_), rate = passing_rate(t_);
-    const double tau = std::min(settings_.start / rate, piece_end(t_) - t_);
-    if (!(t_ + tau > t_)) {
-      t_ = piece_end(t_);
-      return;
+  // By tau, from now and from rest, with an acceleration that grows from nothing.
+  template <class Acceleration>
+  void leave(double tau, const Acceleration& acceleration) {
+    const double last = last_before(piece_end(t_));
+    const auto in = [&](double s) { return std::min(t_ + s, last); };
+    const auto after = [&](double s) {
+      const Vector3 middle = acceleration(in(s / 2)), latest = acceleration(in(s));
+      const Vector3 way = turned(s * s / 3 * middle, state_.place[2]);
+      PlanarState at = state_;
+      at.place += way;
+      at.anchor = at.place;
+      at.twist = turned(s / 6 * (4 * middle + latest), state_.place[2]);
+      const double work = force(in(0.75 * s)).dot(way);  // exact for a load that grows steadily
+      at.work += work;
+      at.dissipated += work - at.twist.dot(mass_.cwiseProduct(at.twist)) / 2;
+      return at;
+    };
+    const PlanarState left = after(tau);
+    if (!left.twist.isZero(0)) {
+      note(SlipEvent::Kind::break_away, turned(left.twist, -state_.place[2]));
+      for (; next_sample_ < samples_->size() && (*samples_)[next_sample_] < t_ + tau; ++next_sample_) {
+        const double sample = (*samples_)[next_sample_];
+        if (*watch_) (*watch_)(sample, after(std::max(0., sample - t_)));
+      }
+      state_ = left;
     }
-    const Vector3 n = vector(gauge(t_).twist);
-    note(SlipEvent::Kind::break_away, n);
-    const double alpha = rate * L / n.dot(mass_.cwiseProduct(n));
-    const double angle = state_.place[2];
-    const Vector3 way = turned(alpha * tau * tau * tau / 6 * n, angle);
-    const double work = force(t_ + 0.75 * tau).dot(way);  // exact for a load that grows steadily
-    state_.place += way;
-    state_.twist = turned(alpha * tau * tau / 2 * n, angle);
-    state_.work += work;
-    state_.dissipated += work - state_.twist.dot(mass_.cwiseProduct(state_.twist)) / 2;
     t_ += tau;
   }
 
@@ -182,7 +209,7 @@ class Motion {
 
   void slip() {
     sample_to(t_);
-    const double origin = t_, end = piece_end(t_);
+    const double origin = t_, end = piece_end(t_), last = last_before(end);
     const Vector3 p = root_.cwiseProduct(state_.twist);
     const double size = p.norm();
     const Vector3 n = p / size;
@@ -194,7 +221,7 @@ class Motion {
     Stretched motion(
         [&](double, const Stretched::State& y, Stretched::State& dy) {
           const Vector3 v = twist(y), unit = Vector3(y[0], y[1], y[2]).normalized();
-          const double t = std::min(origin + y[4], end < end_ ? before(end) : end);
+          const double t = std::min(origin + y[4], last);
           const Vector3 G = scale / size * push(t, v, y[7]);
           const double along = unit.dot(G), rho = std::exp(y[3]);
           for (std::size_t i = 0; i < 3; ++i) {

@@ -15,10 +15,14 @@
 //              times those given, it is followed as the one given at (vx, vy, size w), which carries (f, m / size).
 // Break-away   the root of g(f(t)) - mu_s F_N(t), bracketed by samples `longest_step` apart. At a jump of the load the
 //              body leaves with the acceleration a = argmin a . M a / 2 + D(a) mu_s F_N - f . a, the return mapping in
-//              the metric M. Where the load passes the limit steadily it leaves along the gauge's slip n, with
-//              v = alpha tau^2 n / 2, alpha = n . d(f / mu_s F_N)/dt mu_s F_N / n . M n, up to tau = `start` times the
-//              time in which the load changes by the limit; a limit that comes to nothing sooner than such a tau can be
-//              told from nothing lets it go at that corner.
+//              the metric M. Where the load passes the limit steadily it leaves along the gauge's slip n,
+//
+//                  v = n int [n . f - mu_s F_N D(n)] dt / n . M n,        of the order of tau^2,
+//
+//              by Simpson's rule up to the tau in which n . f passes the limit by the share `start`, and no further than
+//              10 `start` of longest_step and of what is left before a jump; friction until then is that at rest. Where
+//              the limit is nothing, or that tau no time that could be told from now, the integral is that of the
+//              return mapping's acceleration; where no such time is left before a jump, it leaves there.
 // Stop         rho down to 1e-17 of its largest since break-away; then again stick, or at once another start.
 // Load         f(t) [N], [N], [N m] in axes of space about the centre of mass, continuous but for `jumps`, which are
 //              increasing. F_N(t) >= 0 and the size likewise.
@@ -55,7 +59,7 @@ struct SlipEvent {
 struct RigidMotionSettings {
   double tolerance = 1e-12;                             // of a step, relative, in [1e-14, 1e-3]
   double longest_step = 1e-2;                           // [s], > 0, between looks at a load that is held
-  double start = 5e-3;                                  // of a start at a steady load, in [1e-6, 0.5]
+  double start = 5e-3;                                  // share of the limit, at a steady load, in [1e-6, 0.5]
   std::function<void(const SlipEvent&)> on_event = {};  // each as it happens, the error of its time not yet known
 
   void check() const;

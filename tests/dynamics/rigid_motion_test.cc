@@ -248,6 +248,79 @@ TEST(RigidMotion, LeavesJustAfterACorner) {
   }
 }
 
+// M v' = f t from 1 s on, with nothing to hold it: nothing presses, or nothing rubs. Along M^-1 f, not the gauge's slip.
+TEST(RigidMotion, ARampMovesAtOnceWhatNothingHolds) {
+  const Vector3 mass(2, 2, 4e-4), f(1, -0.5, 3e-4);
+  for (const auto& [law, pressed] : {std::pair{Law::coulomb(0.4), 0.}, {Law::coulomb(0), 10.}}) {
+    const RigidMotion motion(friction::UniformDisc::of_radius(0.01), mass[0], mass[2], law);
+    for (const double fast : {1e-9, 1., 1e3}) {
+      const auto force = [&](double t) { return Vector3(fast * std::max(0., t - 1) * f); };
+      const RigidMotionResult r = motion(pushed(force, pressed, {1}), {}, 0, 3);
+      ASSERT_EQ(r.events.size(), 1u) << fast;
+      EXPECT_EQ(r.events[0].kind, Kind::break_away);
+      EXPECT_EQ(r.events[0].time, 1);
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        EXPECT_NEAR(r.state.twist[i], fast * 2 * f[i] / mass[i], 1e-9 * fast) << fast;
+        EXPECT_NEAR(r.state.place[i], fast * 8. / 6 * f[i] / mass[i], 1e-9 * fast) << fast;
+      }
+      EXPECT_NEAR(r.state.dissipated, 0, 1e-9 * r.state.work);
+    }
+  }
+}
+
+// m v' = t N - mu_V F_N v: v = (t - 1 + exp(-t)) m/s.
+TEST(RigidMotion, ViscousFrictionAloneDoesNotHold) {
+  const RigidMotion motion(friction::UniformDisc::of_radius(0.01), 1, 5e-5, Law::coulomb(0).with_viscous(0.1));
+  for (const double end : {1e-3, 0.1, 2.}) {
+    const RigidMotionResult r = motion(pushed([](double t) { return Vector3(0, t, 0); }), {}, 0, end);
+    ASSERT_EQ(r.events.size(), 1u);
+    EXPECT_EQ(r.events[0].time, 0);
+    EXPECT_NEAR(r.state.place[1], end * end / 2 - end - std::expm1(-end), 1e-7) << end;
+    EXPECT_LE(std::fabs(r.state.place[1] - (end * end / 2 - end - std::expm1(-end))), r.place_error[1] + 1e-12) << end;
+  }
+}
+
+// Load and limit both from nothing: m v' = (8 - 4) t N.
+TEST(RigidMotion, ALoadThatOutgrowsTheLimitMovesAtOnce) {
+  const RigidMotion motion(friction::UniformDisc::of_radius(0.01), 2, 4e-4, Law::coulomb(0.4));
+  PlanarLoad load = pushed([](double t) { return Vector3(8 * t, 0, 0); });
+  load.normal_force = [](double t) { return 10 * t; };
+  const RigidMotionResult r = motion(load, {}, 0, 3);
+  ASSERT_EQ(r.events.size(), 1u);
+  EXPECT_EQ(r.events[0].time, 0);
+  EXPECT_NEAR(r.state.twist[0], 9, 1e-9);
+  EXPECT_NEAR(r.state.place[0], 9, 1e-9);
+}
+
+// However slowly it passes the limit of 4 N, down to where its last bit counts: m v' = 4 N e t / 10 s.
+TEST(RigidMotion, TheSlowestLoadStartsItInTime) {
+  const RigidMotion motion(friction::UniformDisc::of_radius(0.05), 1, 1.25e-3, Law::coulomb(0.4));
+  for (double e = 10; e > 1e-10; e /= 100) {
+    const RigidMotionResult r =
+        motion(pushed([=](double t) { return Vector3(4 * (1 + e * t / 10), 0, 0); }), {}, 0, 10);
+    ASSERT_EQ(r.events.size(), 1u) << e;
+    const double exact = 4 * e * 100 / 6, bit = 4 * 0x1p-53 * 50;
+    EXPECT_NEAR(r.state.place[0], exact, 1e-9 * exact + 4 * bit) << e;
+  }
+}
+
+// 8 N over 10 s pass the limit of 4 N at 5 s: x = 0.8 (t - 5 s)^3 / 6, from the first sample on.
+TEST(RigidMotion, SamplesSeeTheStartItself) {
+  const RigidMotion motion(friction::UniformDisc::of_radius(0.05), 1, 1.25e-3, Law::coulomb(0.4));
+  const auto force = [](double t) { return Vector3(0.8 * t, 0, 0); };
+  const std::vector<double> times{4.99, 5, 5.0001, 5.001, 5.005, 5.01, 5.02, 5.03, 5.1};
+  std::vector<double> seen;
+  motion(pushed(force), {}, 0, 6, {}, times, [&](double t, const PlanarState& s) {
+    seen.push_back(t);
+    const double left = std::max(0., t - 5), x = 0.8 * left * left * left / 6, v = 0.4 * left * left;
+    EXPECT_NEAR(s.place[0], x, 1e-9 * x + 1e-15 * left) << t;
+    EXPECT_NEAR(s.twist[0], v, 1e-9 * v + 1e-15) << t;
+    EXPECT_NEAR(s.work, 4 * x + 0.8 * left * v * left / 4, 1e-9 * s.work) << t;  // int 0.8 t v dt
+    EXPECT_NEAR(s.work - s.dissipated, v * v / 2, 1e-14) << t;
+  });
+  EXPECT_EQ(seen, times);
+}
+
 TEST(RigidMotion, RefusesAPatchWithoutSize) {
   const RigidMotion motion(HertzDisc::of_radius(0.1), 2, 0.01, Law::coulomb(0.3));
   PlanarLoad load = pushed([](double) { return Vector3(1, 0, 0); });
