@@ -22,7 +22,7 @@ using Stretched = Trajectory<10>;
 
 constexpr double at_rest = 1e-17;       // of rho to its largest
 constexpr double first_motion = 1e-12;  // [s] after a jump that starts the body
-constexpr double longest_start = 10;    // times `start`: of the longest step and of what is left of a piece
+constexpr double longest_start = 100;   // times `start`: of the longest step and of what is left of a piece
 
 Vector3 vector(const Twist& v) { return {v.vx, v.vy, v.w}; }
 
@@ -119,10 +119,10 @@ class Motion {
     t_ = end;
   }
 
-  void note(SlipEvent::Kind kind, const Vector3& direction) {
-    const Twist own = grown(direction, size(t_));
+  void note(SlipEvent::Kind kind, double t, const PlanarState& state, const Vector3& direction) {
+    const Twist own = grown(direction, size(t));
     const Vector3 v = direction / friction::power(patch_.gradient(own).value, own);
-    events_.push_back({kind, t_, {v[0], v[1], v[2]}, state_, 0});
+    events_.push_back({kind, t, {v[0], v[1], v[2]}, state, 0});
     if (settings_.on_event) settings_.on_event(events_.back());
   }
 
@@ -147,7 +147,7 @@ class Motion {
   // The load is beyond the limit: a finite acceleration.
   void start_at_jump() {
     const Vector3 a = released(t_);
-    note(SlipEvent::Kind::break_away, a);
+    note(SlipEvent::Kind::break_away, t_, state_, a);
     state_.twist = turned(first_motion * a, state_.place[2]);
   }
 
@@ -155,46 +155,82 @@ class Motion {
   // the load and the limit come to from now on is all that there is.
   void start_steadily() {
     const double end = piece_end(t_), L = limit(t_);
-    const double longest = std::min(1., longest_start * settings_.start) * std::min(settings_.longest_step, end - t_);
+    const double step = std::min(1., longest_start * settings_.start) * std::min(settings_.longest_step, end - t_);
     if (L > 0) {
-      const Vector3 n = vector(gauge(t_).twist);
-      const auto passed = [&](double tau) {
-        return excess_along(n, std::min(t_ + tau, last_before(end))) / (settings_.start * L);
-      };
-      double tau = longest;
-      while (t_ + tau > t_ && passed(tau) > 2) tau /= passed(tau);
-      if (t_ + tau > t_) return leave(tau, [&](double t) { return released_along(n, t); });
+      if (const double tau = time_along(vector(gauge(t_).twist), step); t_ + tau > t_) return leave_along(tau, step);
     }
-    if (t_ + longest > t_) return leave(longest, [&](double t) { return released(t); });
+    if (t_ + step > t_) return set_off(step, [&](double t) { return released(t); });
     t_ = end;
   }
 
-  // By tau, from now and from rest, with an acceleration that grows from nothing.
+  // Up to `longest`, until the load passes the limit by the share `start`, or twice that.
+  double time_along(const Vector3& n, double longest) const {
+    const double last = last_before(piece_end(t_)), most = settings_.start * limit(t_);
+    const auto passed = [&](double tau) { return excess_along(n, std::min(t_ + tau, last)) / most; };
+    double tau = longest;
+    while (t_ + tau > t_ && passed(tau) > 2) tau /= passed(tau);
+    return tau;
+  }
+
+  // Along the gauge's slip as it turns, with the energy that it has.
+  void leave_along(double tau, double step) {
+    const double end = piece_end(t_);
+    Vector3 n = vector(gauge(t_).twist);
+    const auto acceleration = [&](double t) { return released_along(n, t); };
+    set_off(tau, acceleration);
+    while (t_ < end) {
+      n = vector(gauge(t_).twist);
+      state_.twist = turned(std::sqrt(kinetic(state_.twist) / kinetic(n)) * n, state_.place[2]);
+      tau = time_along(n, std::min(step, end - t_));
+      if (!goes_along(n) || !(t_ + tau > t_)) return;
+      advance(tau, acceleration);
+    }
+  }
+
+  // Whether it still goes along the gauge's slip n as from rest: the load passes the limit by less than the share
+  // `start`, and the speed changes what is left of it by less than this share.
+  bool goes_along(const Vector3& n) {
+    const double left = excess_along(n, t_);
+    const Vector3 f = turned(root_.cwiseProduct(push(t_, state_.twist, state_.place[2])), -state_.place[2]);
+    return left > 0 && left < settings_.start * limit(t_) && std::fabs(n.dot(f) - left) < settings_.start * left &&
+           !state_.twist.isZero(0);
+  }
+
+  // From rest.
   template <class Acceleration>
-  void leave(double tau, const Acceleration& acceleration) {
-    const double last = last_before(piece_end(t_));
-    const auto in = [&](double s) { return std::min(t_ + s, last); };
+  void set_off(double tau, const Acceleration& acceleration) {
+    const double from = t_;
+    const PlanarState rest = state_;
+    advance(tau, acceleration);
+    if (state_.twist.isZero(0)) return;
+    note(SlipEvent::Kind::break_away, from, rest, turned(state_.twist, -rest.place[2]));
+  }
+
+  double kinetic(const Vector3& v) const { return v.dot(mass_.cwiseProduct(v)) / 2; }
+
+  // By tau, with an acceleration in the axes of the patch.
+  template <class Acceleration>
+  void advance(double tau, const Acceleration& acceleration) {
+    const double last = last_before(piece_end(t_)), angle = state_.place[2];
     const auto after = [&](double s) {
-      const Vector3 middle = acceleration(in(s / 2)), latest = acceleration(in(s));
-      const Vector3 way = turned(s * s / 3 * middle, state_.place[2]);
+      const double middle = std::min(t_ + s / 2, last), to = std::min(t_ + s, last);
+      const Vector3 a0 = acceleration(t_), a1 = acceleration(middle), a2 = acceleration(to), v0 = state_.twist;
+      const Vector3 v1 = v0 + turned(s / 24 * (5 * a0 + 8 * a1 - a2), angle);
+      const Vector3 v2 = v0 + turned(s / 6 * (a0 + 4 * a1 + a2), angle);
+      const double work = s / 6 * (force(t_).dot(v0) + 4 * force(middle).dot(v1) + force(to).dot(v2));
       PlanarState at = state_;
-      at.place += way;
+      at.place += s * v0 + turned(s * s / 6 * (a0 + 2 * a1), angle);
       at.anchor = at.place;
-      at.twist = turned(s / 6 * (4 * middle + latest), state_.place[2]);
-      const double work = force(in(0.75 * s)).dot(way);  // exact for a load that grows steadily
+      at.twist = v2;
       at.work += work;
-      at.dissipated += work - at.twist.dot(mass_.cwiseProduct(at.twist)) / 2;
+      at.dissipated += work - kinetic(v2) + kinetic(v0);
       return at;
     };
-    const PlanarState left = after(tau);
-    if (!left.twist.isZero(0)) {
-      note(SlipEvent::Kind::break_away, turned(left.twist, -state_.place[2]));
-      for (; next_sample_ < samples_->size() && (*samples_)[next_sample_] < t_ + tau; ++next_sample_) {
-        const double sample = (*samples_)[next_sample_];
-        if (*watch_) (*watch_)(sample, after(std::max(0., sample - t_)));
-      }
-      state_ = left;
+    for (; next_sample_ < samples_->size() && (*samples_)[next_sample_] < t_ + tau; ++next_sample_) {
+      const double sample = (*samples_)[next_sample_];
+      if (*watch_) (*watch_)(sample, after(std::max(0., sample - t_)));
     }
+    state_ = after(tau);
     t_ += tau;
   }
 
@@ -274,7 +310,7 @@ class Motion {
     if (why != rest) return;
     const Vector3 direction = turned(state_.twist / state_.twist.norm(), -state_.place[2]);
     state_.twist.setZero();
-    note(SlipEvent::Kind::stop, direction);
+    note(SlipEvent::Kind::stop, t_, state_, direction);
   }
 
   const RigidPatchView& patch_;

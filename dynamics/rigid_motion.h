@@ -17,19 +17,21 @@
 //              body leaves with the acceleration a = argmin a . M a / 2 + D(a) mu_s F_N - f . a, the return mapping in
 //              the metric M. Where the load passes the limit steadily it leaves along the gauge's slip n,
 //
-//                  v = n int [n . f - mu_s F_N D(n)] dt / n . M n,        of the order of tau^2,
+//                  d(v . M v / 2)/dt = (g(f) - mu_s F_N) D(v),        v = D(v) n,
 //
-//              by Simpson's rule up to the tau in which n . f passes the limit by the share `start`, and no further than
-//              10 `start` of longest_step and of what is left before a jump; friction until then is that at rest. Where
-//              the limit is nothing, or that tau no time that could be told from now, the integral is that of the
-//              return mapping's acceleration; where no such time is left before a jump, it leaves there.
+//              by Simpson's rule in steps of 100 `start` of longest_step and of what is left before a jump, until the
+//              load passes the limit by the share `start`, or the speed changes what is left of it by this share: near
+//              the limit slip turns to n faster than steps of t could follow. Where the limit is nothing, or that time
+//              none that could be told from now, it leaves with the return mapping's acceleration for such a step; where
+//              no such step is left before a jump, it leaves there.
 // Stop         rho down to 1e-17 of its largest since break-away; then again stick, or at once another start.
 // Load         f(t) [N], [N], [N m] in axes of space about the centre of mass, continuous but for `jumps`, which are
 //              increasing. F_N(t) >= 0 and the size likewise.
 // Units        m [kg], J [kg m^2], t [s].
 // Error        of times and places: tolerance and start twice as wide (a hundredfold, twofold) tell; `error` of each
-//              event. Stop time and distance of pucks to 1e-13 at the tolerance 1e-13;
-//              tests/dynamics/rigid_motion_test.cc.
+//              event. They do not tell that of a load that never passes the limit by the share `start`: places then
+//              err by less than the share by which it does. Stop time and distance of pucks to 1e-13 at the tolerance
+//              1e-13; tests/dynamics/rigid_motion_test.cc.
 // Throws       std::invalid_argument unless m, J > 0, the settings are in range, times do not decrease, the start is
 //              finite, and the load, too, with F_N >= 0 and a size > 0, wherever it is asked for; std::runtime_error
 //              as trajectory.h.

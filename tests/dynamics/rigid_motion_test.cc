@@ -9,6 +9,7 @@
 
 #include <patchgrip/friction/flat_punch_disc.h>
 #include <patchgrip/friction/hertz_disc.h>
+#include <patchgrip/friction/limit_surface/limit_surface.h>
 #include <patchgrip/friction/limit_surface/round_gauge.h>
 #include <patchgrip/friction/rectangle.h>
 #include <patchgrip/friction/uniform_disc.h>
@@ -302,6 +303,26 @@ TEST(RigidMotion, TheSlowestLoadStartsItInTime) {
     const double exact = 4 * e * 100 / 6, bit = 4 * 0x1p-53 * 50;
     EXPECT_NEAR(r.state.place[0], exact, 1e-9 * exact + 4 * bit) << e;
   }
+}
+
+// Force and moment that pass the limit by the share 0.004 at most, on two patches: along the limit as by slip itself,
+// which has to follow from a start of 2e-4 on.
+TEST(RigidMotion, ALoadThatHardlyPassesTheLimitIsFollowedAlongIt) {
+  const auto expect_alike = [](const auto& patch, const auto& surface) {
+    const RigidMotion motion(patch, 1, 1.25e-3, Law::coulomb(0.4));
+    const Vector3 direction = Vector3(1, 0.3, 0.02) * 4 / surface.gauge({1, 0.3, 0.02}).value;
+    const PlanarLoad load = pushed([&](double t) { return Vector3((1 + 1e-3 * (t - 1)) * direction); });
+    const RigidMotionResult along = motion(load, {}, 0, 5), slip = motion(load, {}, 0, 5, {.start = 2e-4});
+    ASSERT_EQ(along.events.size(), 1u);
+    EXPECT_NEAR(along.events[0].time, 1, 1e-9);
+    for (Eigen::Index i = 0; i < 3; ++i)
+      EXPECT_NEAR(along.state.place[i], slip.state.place[i], 4e-3 * std::fabs(slip.state.place[i])) << i;
+    EXPECT_NEAR(along.state.work, slip.state.work, 4e-3 * slip.state.work);
+  };
+  const auto disc = friction::UniformDisc::of_radius(0.05);
+  expect_alike(disc, friction::RoundLimitSurface(disc));
+  const auto rectangle = friction::Rectangle::of_sides(0.1, 0.03);
+  expect_alike(rectangle, friction::LimitSurface(rectangle));
 }
 
 // 8 N over 10 s pass the limit of 4 N at 5 s: x = 0.8 (t - 5 s)^3 / 6, from the first sample on.
