@@ -147,6 +147,7 @@ class Motion {
   // The load is beyond the limit: a finite acceleration.
   void start_at_jump() {
     const Vector3 a = released(t_);
+    if (a.isZero(0)) return start_steadily();  // beyond it by rounding alone
     note(SlipEvent::Kind::break_away, t_, state_, a);
     state_.twist = turned(first_motion * a, state_.place[2]);
   }
@@ -188,11 +189,11 @@ class Motion {
   }
 
   // Whether it still goes along the gauge's slip n as from rest: the load passes the limit by less than the share
-  // `start`, and the speed changes what is left of it by less than this share.
+  // `start`, and the speed changes what is left of it by less than this share, or by no more than rounding.
   bool goes_along(const Vector3& n) {
-    const double left = excess_along(n, t_);
+    const double left = excess_along(n, t_), most = settings_.start * limit(t_), rounding = 0x1p-48 * limit(t_);
     const Vector3 f = turned(root_.cwiseProduct(push(t_, state_.twist, state_.place[2])), -state_.place[2]);
-    return left > 0 && left < settings_.start * limit(t_) && std::fabs(n.dot(f) - left) < settings_.start * left &&
+    return left > -rounding && left < most && std::fabs(n.dot(f) - left) < settings_.start * left + rounding &&
            !state_.twist.isZero(0);
   }
 

@@ -325,6 +325,24 @@ TEST(RigidMotion, ALoadThatHardlyPassesTheLimitIsFollowedAlongIt) {
   expect_alike(rectangle, friction::LimitSurface(rectangle));
 }
 
+// From the very limit on, where rounding decides whether it is passed at once.
+TEST(RigidMotion, ALoadLeavesFromTheLimitItself) {
+  const auto disc = friction::UniformDisc::of_radius(0.05);
+  const RigidMotion motion(disc, 1, 1e-3, Law::coulomb(0.4));
+  for (int i = 0; i < 6; ++i) {
+    const Vector3 direction(1, 0.3 * i - 0.5, 0.003 * i);
+    const double g = friction::RoundLimitSurface(disc).gauge({direction[0], direction[1], direction[2]}).value;
+    const RigidMotionResult r =
+        motion(pushed([&](double t) { return Vector3((1 + 1e-5 * t) * 4 / g * direction); }), {}, 0, 1);
+    ASSERT_EQ(r.events.size(), 1u) << i;
+    EXPECT_NEAR(r.events[0].time, 0, 1e-8) << i;
+    EXPECT_NEAR(r.state.work - r.state.dissipated,
+                r.state.twist.dot(Vector3(1, 1, 1e-3).cwiseProduct(r.state.twist)) / 2, 1e-18)
+        << i;
+    EXPECT_GT(r.state.twist.norm(), 1e-5) << i;
+  }
+}
+
 // 8 N over 10 s pass the limit of 4 N at 5 s: x = 0.8 (t - 5 s)^3 / 6, from the first sample on.
 TEST(RigidMotion, SamplesSeeTheStartItself) {
   const RigidMotion motion(friction::UniformDisc::of_radius(0.05), 1, 1.25e-3, Law::coulomb(0.4));
