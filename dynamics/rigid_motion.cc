@@ -258,7 +258,7 @@ class Motion {
     Stretched motion(
         [&](double, const Stretched::State& y, Stretched::State& dy) {
           const Vector3 v = twist(y), unit = Vector3(y[0], y[1], y[2]).normalized();
-          const double t = std::min(origin + y[4], last);
+          const double t = std::max(origin, std::min(origin + y[4], last));  // of a step that overflows, too
           const Vector3 G = scale / size * push(t, v, y[7]);
           const double along = unit.dot(G), rho = std::exp(y[3]);
           for (std::size_t i = 0; i < 3; ++i) {
