@@ -124,6 +124,16 @@ TEST(LocalStribeckError, OfANeedleIsWithinItsErrorWhereResultsAgreeByChance) {
 }
 
 // Poles about the line, down to 1e-16 of its length beside it, and far away.
+// A pole 5e-7 inside the rim of a flat punch, where two results of the judge agree by chance; by mpmath with 40 digits.
+TEST(LocalStribeckError, OfAPunchIsRightNextToItsRim) {
+  const double a = 0.0010039948624520128;
+  const Twist u{0.01096757710341225, 0.016956593435293429, -20.11405807152266};
+  constexpr Long exact = -0.0003938163248615415762949223L;
+  EXPECT_LE(std::fabs(power_ellipse_excess(a, a, 0, u).m - exact), 1e-17L * a);
+  const BoundedWrench found = stribeck_excess(PowerEllipse::of_semi_axes(a, a, 0), u);
+  EXPECT_LE(std::fabs(found.value.m - exact), found.moment_error);
+}
+
 TEST(LocalStribeckError, OfALineIsWithinItsError) {
   std::mt19937_64 engine(20060310);
   for (int i = cases(300); i > 0; --i) {
