@@ -21,6 +21,8 @@ const std::vector<Setting> finer_creep{{24, 20}};
 const std::vector<Setting> ccx_creep_steps{{2, 10}, {4, 10}, {8, 10}};
 // With 6, 12, 24 elements CalculiX's force is further from GetFEM's than both say of themselves (0.017 %, 0.014 %).
 const std::vector<Setting> ccx_sections{{7, 20}, {14, 20}, {28, 20}};
+// With 40 elements it ends its iterations early, 1.2 % off: nothing can be judged then.
+const std::vector<Setting> finer_ccx_section{{35, 20}};
 // With 3, 4, 6 elements b cannot be judged, with these the approach cannot: both scatter from mesh to mesh.
 const std::vector<Setting> quarters{{4, 8}, {6, 8}, {8, 8}};
 const std::vector<Setting> finer_quarter{{11, 8}};
@@ -36,7 +38,7 @@ std::span<const Case> all_cases() {
   static const std::array cases{
       Case{"sphere", sections, finer_section,
            [](const Setting& setting) { return solve_press(pressed_paraboloid(), setting); }},
-      Case{"sphere_ccx", ccx_sections, fine_section, solve_press_by_calculix},
+      Case{"sphere_ccx", ccx_sections, finer_ccx_section, solve_press_by_calculix},
       Case{"sphere_01", sections, finer_section,
            [](const Setting& setting) { return solve_press(pressed_sphere(0.1), setting); }},
       Case{"sphere_05", sections, finer_section,
